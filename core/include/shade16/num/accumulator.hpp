@@ -1,0 +1,32 @@
+// The 8.24 accumulator that every term of the light is rounded into once. Room for 64 lights that add 2.0 each way;
+// past 255.99 it stays there, so a brighter lamp never turns dark. Saturation to white comes at the very end, once.
+#pragma once
+
+#include "shade16/num/unorm.hpp"
+
+namespace shade16 {
+
+struct Accumulator {
+    static constexpr int fraction_bits = 24;
+    static constexpr uint32_t one = uint32_t{1} << fraction_bits;
+
+    uint32_t r = 0, g = 0, b = 0;
+};
+
+/// sum + term, at most UINT32_MAX.
+SHADE16_INLINE constexpr void accumulate(uint32_t& sum, uint32_t term) {
+    sum += term;
+    if (sum < term) sum = UINT32_MAX;
+}
+
+/// product * 2^-shift as a term, rounded down to 2^-24. A negative shift is that of a very strong lamp: saturated.
+SHADE16_INLINE constexpr uint32_t scaled_term(uint32_t product, int shift) {
+    if (shift >= 0) return shift > 31 ? 0 : product >> shift;
+    return leading_zeros(product) >= -shift ? product << min(-shift, 31) : UINT32_MAX;
+}
+
+/// A colour as the accumulator holds it: 65535 becomes exactly 1.0, everything else is within one unit.
+constexpr uint32_t as_accumulator(Unorm16 c) { return (uint32_t{c.raw} << 8) + (c.raw >> 8) + (c.raw >> 15); }
+constexpr Accumulator as_accumulator(Rgb c) { return {as_accumulator(c.r), as_accumulator(c.g), as_accumulator(c.b)}; }
+
+}  // namespace shade16

@@ -1,0 +1,64 @@
+// x^n in integers, slowly and to 40 bits: what the shininess tables are built from, at compile time or at run time.
+#pragma once
+
+#include "shade16/num/rsqrt.hpp"
+
+namespace shade16 {
+
+namespace detail {
+/// 2^(-2^-k) for k = 1 .. 48, as Q64: each the square root of the one before.
+struct RootsOfHalf {
+    uint64_t y[49]{};
+    consteval RootsOfHalf() {
+        uint64_t square = uint64_t{1} << 63;  // 2^-1
+        for (int k = 1; k <= 48; ++k) {
+            for (uint64_t bit = uint64_t{1} << 63; bit != 0; bit >>= 1)  // sqrt, digit by digit
+                if (mulhi(y[k] | bit, y[k] | bit) <= square) y[k] |= bit;
+            square = y[k];
+        }
+    }
+};
+inline constexpr RootsOfHalf roots_of_half{};
+}  // namespace detail
+
+/// -log2(x / 2^64) as Q48.
+/// Range   x > 0.  Error  2^-45.  Source  bit by bit: squaring doubles a logarithm.
+constexpr uint64_t negative_log2(uint64_t x) {
+    const int zeros = leading_zeros(x);
+    x <<= zeros;  // the mantissa in [1/2, 1)
+    uint64_t log = 0;
+    for (int k = 1; k <= 48; ++k) {  // log2 of 2m in [1, 2), a bit at a time
+        x = mulhi(x, x);
+        log <<= 1;
+        if (x >> 63) log |= 1;  // (2m)^2 >= 2: m^2 >= 1/2
+        else x <<= 1;
+    }
+    return (static_cast<uint64_t>(zeros + 1) << 48) - log;
+}
+
+/// 2^-t as Q32, for t in Q48; at most 2^32 - 1.
+/// Range   any t.  Error  2^-32.
+constexpr uint32_t exp2_negative(uint64_t t) {
+    const uint64_t whole = t >> 48;
+    if (whole > 32) return 0;
+    uint64_t y = UINT64_MAX;
+    for (int k = 1; k <= 48; ++k)
+        if (t >> (48 - k) & 1) y = mulhi(y, detail::roots_of_half.y[k]);
+    y >>= whole;
+    return static_cast<uint32_t>(min<uint64_t>((y >> 32) + (y >> 31 & 1), UINT32_MAX));
+}
+
+/// t * n for a Q48 logarithm and a Q16 exponent, saturated.
+constexpr uint64_t times_q16(uint64_t t, uint32_t n) {
+    const uint64_t high = multiply(static_cast<uint32_t>(t >> 32), n), low = multiply(static_cast<uint32_t>(t), n);
+    if (high >> 47) return UINT64_MAX;
+    return (high << 16) + (low >> 16);
+}
+
+/// (1 - u)^n as Q32, for u in Q32 and n in Q16; at most 2^32 - 1.
+constexpr uint32_t power_of_complement(uint32_t u, uint32_t n) {
+    if (u == 0) return UINT32_MAX;
+    return exp2_negative(times_q16(negative_log2(uint64_t{0u - u} << 32), n));
+}
+
+}  // namespace shade16

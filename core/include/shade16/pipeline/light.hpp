@@ -1,0 +1,133 @@
+// Stage 3b, light: ambient + diffuse + specular at one point of one object.
+#pragma once
+
+#include "shade16/pipeline/light_setup.hpp"
+
+namespace shade16 {
+
+/// A point on the surface: the mean of `count` lattice positions, 1 for a vertex and 3 for a face's centre. Kept as a
+/// sum, so that the centre is exact: a direction does not care about its length.
+struct SurfacePoint {
+    IVec3 sum{};
+    int32_t count = 1;
+};
+
+namespace detail {
+/// The vector from a surface point to another point, of any length.
+SHADE16_INLINE constexpr IVec3 towards(const LatticePoint& point, const SurfacePoint& surface, bool stretched, const Stretch& stretch) {
+    const auto at = [&](int32_t c, Q30 factor) {
+        if (stretched) return scale_by_power_of_two(multiply(c, factor.raw), point.bits - 30);
+        return point.bits >= 0 ? shift_left(c, point.bits) : scale_by_power_of_two(c, point.bits);
+    };
+    const IVec3 p = surface.sum;
+    const int32_t n = surface.count;
+    return {n * point.position.x - at(p.x, stretch.position[0]), n * point.position.y - at(p.y, stretch.position[1]),
+            n * point.position.z - at(p.z, stretch.position[2])};
+}
+
+/// N.L as the factor of a product: Q16 up to 65535 from 16-bit vectors, Q32 from 32-bit ones; 0 for light from behind.
+SHADE16_INLINE constexpr uint32_t cosine(const Normal14& a, const Normal14& b) {
+    const int32_t d = dot(a, b);
+    return d <= 0 ? 0 : min<uint32_t>(static_cast<uint32_t>(d) >> 12, 65535);
+}
+SHADE16_INLINE constexpr uint32_t cosine(const Normal30& a, const Normal30& b) {
+    const int64_t d = dot(a, b);
+    return d <= 0 ? 0 : static_cast<uint32_t>(min<uint64_t>(static_cast<uint64_t>(d) >> 28, UINT32_MAX));
+}
+
+/// u = |N - H|^2 / 2 = 1 - N.H, from the chord: lengths err only relative to u, and sharp highlights stay exact.
+/// Q29 from 16-bit vectors, Q32 from 32-bit ones, saturated.
+/// Source  R. F. Lyon, Phong Shading Reformulation for Hardware Renderer Simplification, 1993.
+SHADE16_INLINE constexpr uint32_t chord(const Normal14& a, const Normal14& b) {
+    const int32_t x = a.x.raw - b.x.raw, y = a.y.raw - b.y.raw, z = a.z.raw - b.z.raw;
+    return static_cast<uint32_t>(x * x) + static_cast<uint32_t>(y * y) + static_cast<uint32_t>(z * z);
+}
+SHADE16_INLINE constexpr uint32_t chord(const Normal30& a, const Normal30& b) {
+    // Differences of up to 2.0 in Q29: the square of one is then at most 2^60, and the sum of three at most 2^61.
+    const auto half = [](Q30 p, Q30 q) { return static_cast<int32_t>((int64_t{p.raw} - q.raw) >> 1); };
+    const int32_t x = half(a.x, b.x), y = half(a.y, b.y), z = half(a.z, b.z);
+    const uint64_t squared = static_cast<uint64_t>(multiply(x, x) + multiply(y, y) + multiply(z, z));  // Q58, twice u
+    return static_cast<uint32_t>(min<uint64_t>(squared >> 27, UINT32_MAX));
+}
+
+SHADE16_INLINE constexpr bool is_zero(const Normal14& v) { return (v.x.raw | v.y.raw | v.z.raw) == 0; }
+SHADE16_INLINE constexpr bool is_zero(const Normal30& v) { return (v.x.raw | v.y.raw | v.z.raw) == 0; }
+
+SHADE16_INLINE constexpr Normal14 half_of(const Normal14& l, const Normal14& v, int bits) {
+    const IVec3 sum{int32_t{l.x.raw} + v.x.raw, int32_t{l.y.raw} + v.y.raw, int32_t{l.z.raw} + v.z.raw};
+    return bits == 6 ? normalize14<6>(sum) : normalize14<7>(sum);
+}
+SHADE16_INLINE constexpr Normal30 half_of(const Normal30& l, const Normal30& v, int) { return half_vector(l, v); }
+
+/// sum += product * factor.
+template <bool Wide>
+SHADE16_INLINE constexpr void add_term(Accumulator& sum, const LightProduct& p, uint32_t factor) {
+    const auto term = [&](uint32_t m) { return scaled_term(Wide ? mulhi(m, factor) : m * factor, 8 - p.exponent); };
+    accumulate(sum.r, term(p.r));
+    accumulate(sum.g, term(p.g));
+    accumulate(sum.b, term(p.b));
+}
+
+SHADE16_INLINE constexpr void modulate(Accumulator& sum, const Rgb& c) {
+    sum.r = mulhi(sum.r, c.r.widened()), sum.g = mulhi(sum.g, c.g.widened()), sum.b = mulhi(sum.b, c.b.widened());
+}
+}  // namespace detail
+
+/// The lit colour of a point.
+/// Range   any position on the lattice, any unit normal (a zero one gives no diffuse and no specular light).
+/// Error   Tier::promise for each light arriving at intensity 1, added up, under the conditions stated there.
+/// Cost    docs/performance.md.
+/// Source  Blinn, Models of Light Reflection for Computer Synthesized Pictures, 1977.
+template <Needs N, PrecisionTier Tier>
+constexpr Accumulator light_point(const ObjectLighting<Tier>& object, View<ObjectLight<Tier>> lights,
+                                  const Shininess<Tier>* shininess, const SurfacePoint& position, UnitVector<Tier> normal, const Rgb* color) {
+    constexpr bool wide = Arithmetic<Tier>::wide;
+    Accumulator sum = object.base, shine{};
+    const bool stretched = N.stretch && object.stretch.differs;
+
+    UnitVector<Tier> view = object.view;
+    const bool local_viewer = N.local_viewer && object.local_viewer && shininess != nullptr;
+    if constexpr (N.local_viewer)
+        if (local_viewer) view = UnitVectorOf<Tier>::normalize(detail::towards(object.eye, position, stretched, object.stretch));
+
+    for (const ObjectLight<Tier>& light : lights) {
+        UnitVector<Tier> direction = light.direction;
+        const bool is_point = N.point && (!N.directional || light.is_point);
+        if constexpr (N.point)
+            if (is_point) direction = UnitVectorOf<Tier>::normalize(detail::towards(light.point, position, stretched, object.stretch));
+
+        const uint32_t n_dot_l = detail::cosine(normal, direction);
+        if (n_dot_l == 0) continue;
+        if constexpr (N.diffuse) detail::add_term<wide>(sum, light.diffuse, n_dot_l);
+        if constexpr (N.specular) {
+            if (shininess == nullptr) continue;
+            UnitVector<Tier> half = light.half;
+            if (is_point || local_viewer) half = detail::half_of(direction, view, Arithmetic<Tier>::rsqrt_bits);
+            if (detail::is_zero(half)) continue;
+            if (const uint32_t power = shininess->power(detail::chord(normal, half)); power != 0)
+                detail::add_term<wide>(shine, light.specular, power);
+        }
+    }
+    if constexpr (N.vertex_colors)
+        if (color != nullptr) detail::modulate(sum, *color);
+    if constexpr (N.specular) {
+        accumulate(sum.r, shine.r);
+        accumulate(sum.g, shine.g);
+        accumulate(sum.b, shine.b);
+    }
+    return sum;
+}
+
+/// A stored normal as the tier lights it: as it is in the 16-bit tiers, renormalised in highp and under a stretch.
+template <Needs N, PrecisionTier Tier>
+SHADE16_INLINE constexpr UnitVector<Tier> lighting_normal(const ObjectLighting<Tier>& object, const Normal14& stored) {
+    if constexpr (N.stretch)
+        if (object.stretch.differs) {
+            const auto component = [&](Unit14 c, int i) { return static_cast<int32_t>(multiply(c.raw, object.stretch.normal[i].raw) >> 16); };
+            return UnitVectorOf<Tier>::normalize({component(stored.x, 0), component(stored.y, 1), component(stored.z, 2)});
+        }
+    if constexpr (Arithmetic<Tier>::wide) return normalize30(raw(stored));
+    else return stored;
+}
+
+}  // namespace shade16

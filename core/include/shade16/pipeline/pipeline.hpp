@@ -1,0 +1,220 @@
+// The pipeline: scene -> transform -> clip -> light -> set-up -> raster -> band. One instantiation for a set of needs and
+// a tier, shared by all scenes that need the same.
+#pragma once
+
+#include "shade16/pipeline/clip.hpp"
+#include "shade16/pipeline/face.hpp"
+#include "shade16/pipeline/raster.hpp"
+#include "shade16/pipeline/workspace.hpp"
+
+namespace shade16 {
+
+/// What a pipeline draws: a scene, and for each object its shininess kernel (nullptr without specular light).
+template <PrecisionTier Tier>
+struct PreparedScene {
+    const Scene& scene;
+    const Shininess<Tier>* const* shininess;
+};
+
+template <Needs N, PrecisionTier Tier, VertexStore Store = VertexStore::keep>
+class Pipeline {
+public:
+    using Vertex = ScreenVertex<Tier>;
+
+    constexpr Pipeline(PreparedScene<Tier> prepared, WorkspaceView<Tier> workspace) : prepared_(prepared), work_(workspace) {}
+
+    /// Begins a frame: sets every object up and, with VertexStore::keep, transforms its vertices.
+    constexpr void begin(const Frame& frame, Viewport viewport) {
+        const Scene& scene = prepared_.scene;
+        viewport_ = viewport;
+        const Camera& camera = frame.camera != nullptr ? *frame.camera : scene.camera;
+        const View<Light> lights(frame.lights != nullptr ? frame.lights : scene.lights.first, scene.lights.count);
+        const View3 view = make_view(camera, viewport);
+        uint32_t first_vertex = 0, first_face = 0;
+        for (uint32_t i = 0; i < scene.objects.count; ++i) {
+            const Object& object = scene.objects[i];
+            const Pose& pose = frame.poses != nullptr ? frame.poses[i] : object.pose;
+            ObjectState<Tier>& state = work_.objects[i];
+            state.first_vertex = first_vertex, state.first_face = first_face;
+            begin_object(state, object, pose, camera, view, lights, i);
+            first_vertex += object.mesh.positions.count;
+            if (detail::is_flat(object.material)) first_face += object.mesh.triangles.count;
+        }
+    }
+
+    /// Draws one band of the frame, background included. Bands may come in any order.
+    template <PixelFormat Format>
+    constexpr void draw(const Band<Format>& band) {
+        clear(band, nearest_pixel<Format>(prepared_.scene.background));
+        for (uint32_t i = 0; i < prepared_.scene.objects.count; ++i) {
+            const Object& object = prepared_.scene.objects[i];
+            if constexpr (Store == VertexStore::replay)
+                for (uint32_t slot = 0; slot < work_.slots; ++slot) work_.tags[slot] = 0;
+            for (uint32_t face = 0; face < object.mesh.triangles.count; ++face) draw_face(band, object, work_.objects[i], face);
+        }
+    }
+
+    /// A vertex as it was transformed, lit now if no triangle did so before: for tests and comparisons.
+    constexpr Vertex lit_vertex(uint32_t object, uint32_t index) {
+        Vertex v = load(prepared_.scene.objects[object], work_.objects[object], index);
+        light_vertex(prepared_.scene.objects[object], work_.objects[object], index, v);
+        return v;
+    }
+
+private:
+    constexpr void begin_object(ObjectState<Tier>& state, const Object& object, const Pose& pose, const Camera& camera, const View3& view,
+                                View<Light> lights, uint32_t index) {
+        state.transform = make_view_transform(view, pose, object.mesh);
+        state.shininess = prepared_.shininess[index];
+        state.lighting = make_object_lighting<Tier>(camera, view.rotation, lights, object.material, pose, object.mesh);
+        state.first_light = index * lights.count;
+        state.lights = 0;
+        if constexpr (N.diffuse || N.specular)
+            for (const Light& light : lights) {
+                if (object.material.unlit || light.kind == LightKind::ambient || light.intensity.is_zero()) continue;
+                work_.lights[state.first_light + state.lights++] =
+                    make_object_light<Tier>(camera, view.rotation, light, object.material, pose, object.mesh);
+            }
+        if constexpr (Store == VertexStore::keep) {
+            for (uint32_t i = 0; i < object.mesh.positions.count; ++i)
+                transform_vertex(state.transform, object.mesh.positions[i], work_.vertices[state.first_vertex + i]);
+            if constexpr (N.flat)
+                if (detail::is_flat(object.material))
+                    for (uint32_t i = 0; i < object.mesh.triangles.count; ++i) work_.faces[state.first_face + i].is_known = 0;
+        }
+    }
+
+    SHADE16_INLINE static constexpr void transform_vertex(const ViewTransform& t, Position16 p, Vertex& out) {
+        const ClipVertex v = to_clip(t, p);
+        out.flags = outcode(t, v);
+        if (out.flags == 0) project(t, v, out);
+    }
+
+    // A vertex by value, from the store. With `replay` two corners of one triangle may share a slot, so nobody keeps a
+    // reference into it.
+    constexpr Vertex load(const Object& object, const ObjectState<Tier>& state, uint32_t index) {
+        if constexpr (Store == VertexStore::keep) return work_.vertices[state.first_vertex + index];
+        const uint32_t slot = index & (work_.slots - 1);
+        if (work_.tags[slot] != index + 1) {
+            work_.tags[slot] = index + 1;
+            transform_vertex(state.transform, object.mesh.positions[index], work_.vertices[slot]);
+        }
+        return work_.vertices[slot];
+    }
+    constexpr void keep_color(const ObjectState<Tier>& state, uint32_t index, const Vertex& v) {
+        if constexpr (Store == VertexStore::keep) work_.vertices[state.first_vertex + index] = v;
+        else if (const uint32_t slot = index & (work_.slots - 1); work_.tags[slot] == index + 1) work_.vertices[slot] = v;
+    }
+
+    constexpr View<ObjectLight<Tier>> lights_of(const ObjectState<Tier>& state) const {
+        return {work_.lights + state.first_light, state.lights};
+    }
+    static constexpr const Rgb* color_of(const Mesh& mesh, uint32_t index) { return mesh.colors.empty() ? nullptr : &mesh.colors[index]; }
+
+    constexpr void light_vertex(const Object& object, const ObjectState<Tier>& state, uint32_t index, Vertex& v) {
+        if (v.flags & is_lit) return;
+        const Rgb* color = color_of(object.mesh, index);
+        if (N.unlit && (!N.lit || object.material.unlit)) {
+            Accumulator sum = state.lighting.base;
+            if constexpr (N.vertex_colors)
+                if (color != nullptr) detail::modulate(sum, *color);
+            v.set_color(sum);
+        } else {
+            const Position16 p = object.mesh.positions[index];
+            const UnitVector<Tier> normal =
+                object.mesh.normals.empty() ? UnitVector<Tier>{} : lighting_normal<N>(state.lighting, object.mesh.normals[index]);
+            v.set_color(light_point<N>(state.lighting, lights_of(state), state.shininess, {raw(p), 1}, normal, color));
+        }
+        keep_color(state, index, v);
+    }
+
+    constexpr void color_flat(const Object& object, const ObjectState<Tier>& state, uint32_t face, Vertex (&v)[3]) {
+        const Triangle t = object.mesh.triangles[face];
+        FaceColor<Tier> color{};
+        if (Store == VertexStore::keep) color = work_.faces[state.first_face + face];
+        if (color.is_known == 0) {
+            const auto& p = object.mesh.positions;
+            const auto& c = object.mesh.colors;
+            Rgb mean{};
+            if (!c.empty()) mean = mean_color(c[t.a], c[t.b], c[t.c]);
+            Vertex lit;
+            lit.set_color(light_point<N>(state.lighting, lights_of(state), state.shininess, face_centre(p[t.a], p[t.b], p[t.c]),
+                                         lighting_face_normal<N>(state.lighting, p[t.a], p[t.b], p[t.c]), c.empty() ? nullptr : &mean));
+            color = {lit.r, lit.g, lit.b, 1};
+            if (Store == VertexStore::keep) work_.faces[state.first_face + face] = color;
+        }
+        for (Vertex& corner : v) corner.r = color.r, corner.g = color.g, corner.b = color.b;
+    }
+
+    constexpr void color_corners(const Object& object, const ObjectState<Tier>& state, uint32_t face, Vertex (&v)[3]) {
+        if constexpr (N.flat)
+            if (!N.gouraud || detail::is_flat(object.material)) return color_flat(object, state, face, v);
+        const Triangle t = object.mesh.triangles[face];
+        light_vertex(object, state, t.a, v[0]);
+        light_vertex(object, state, t.b, v[1]);
+        light_vertex(object, state, t.c, v[2]);
+    }
+
+    template <PixelFormat Format>
+    constexpr void draw_face(const Band<Format>& band, const Object& object, const ObjectState<Tier>& state, uint32_t face) {
+        const Triangle t = object.mesh.triangles[face];
+        Vertex v[3] = {load(object, state, t.a), load(object, state, t.b), load(object, state, t.c)};
+        if (v[0].flags & v[1].flags & v[2].flags & outside_any) return;
+        if ((v[0].flags | v[1].flags | v[2].flags) & outside_any) return draw_clipped(band, object, state, face, v);
+        const int64_t area = doubled_area(v[0], v[1], v[2]);
+        if (area >= 0) return;  // facing away, or edge on
+        const PixelBox box = visible_box(band, v[0], v[1], v[2]);
+        if (box.is_empty()) return;
+        color_corners(object, state, face, v);
+        raster<Tier::stepping, N.depth>(set_up(v[0], v[1], v[2], centre(), static_cast<uint64_t>(-area)), box, band);
+    }
+
+    constexpr RasterPoint centre() const { return {viewport_.width * 8, viewport_.height * 8}; }
+    template <PixelFormat Format>
+    constexpr PixelBox visible_box(const Band<Format>& band, const Vertex& a, const Vertex& b, const Vertex& c) const {
+        return pixel_box(a, b, c, centre()).within(viewport_.width, band.first_row, band.first_row + band.rows);
+    }
+
+    /// A triangle through the near plane or the guard band: clipped to a fan. It is lit only if some of it shows.
+    template <PixelFormat Format>
+    [[gnu::noinline]] constexpr void draw_clipped(const Band<Format>& band, const Object& object, const ObjectState<Tier>& state, uint32_t face,
+                                                  Vertex (&v)[3]) {
+        if (!draw_fan<false>(band, object, state, face, v)) return;
+        color_corners(object, state, face, v);
+        draw_fan<true>(band, object, state, face, v);
+    }
+
+    template <bool Paint, PixelFormat Format>
+    constexpr bool draw_fan(const Band<Format>& band, const Object& object, const ObjectState<Tier>& state, uint32_t face, const Vertex (&v)[3]) {
+        const Triangle t = object.mesh.triangles[face];
+        const uint16_t index[3] = {t.a, t.b, t.c};
+        ClipPolygon<Tier> polygon;
+        for (int i = 0; i < 3; ++i) polygon.add({to_clip(state.transform, object.mesh.positions[index[i]]), v[i].r, v[i].g, v[i].b});
+        polygon = clip(state.transform, polygon);
+
+        Vertex fan[3];
+        const auto corner = [&](int i) {
+            Vertex out;
+            project(state.transform, polygon.corner[i].position, out);
+            out.r = polygon.corner[i].r, out.g = polygon.corner[i].g, out.b = polygon.corner[i].b;
+            return out;
+        };
+        bool shows = false;
+        for (int i = 1; i + 1 < polygon.count; ++i) {
+            fan[0] = corner(0), fan[1] = corner(i), fan[2] = corner(i + 1);
+            const int64_t area = doubled_area(fan[0], fan[1], fan[2]);
+            const PixelBox box = visible_box(band, fan[0], fan[1], fan[2]);
+            if (area >= 0 || box.is_empty()) continue;
+            shows = true;
+            if constexpr (Paint)
+                raster<Tier::stepping, N.depth>(set_up(fan[0], fan[1], fan[2], centre(), static_cast<uint64_t>(-area)), box, band);
+        }
+        return shows;
+    }
+
+    PreparedScene<Tier> prepared_;
+    WorkspaceView<Tier> work_;
+    Viewport viewport_{};
+};
+
+}  // namespace shade16

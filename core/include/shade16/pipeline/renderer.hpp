@@ -1,0 +1,89 @@
+// Renderer: a scene that the compiler knows, drawn by the smallest pipeline that covers it.
+#pragma once
+
+#include "shade16/pipeline/pipeline.hpp"
+#include "shade16/target/sink.hpp"
+
+namespace shade16 {
+
+namespace detail {
+constexpr bool has_specular(const Scene& scene, const Material& m) {
+    if (m.unlit || m.specular == black) return false;
+    for (const Light& light : scene.lights)
+        if (light.kind != LightKind::ambient && light.specular != black && !light.intensity.is_zero()) return true;
+    return false;
+}
+
+/// The index of the first object with this object's exponent, among those with specular light.
+constexpr uint32_t first_with_same_shininess(const Scene& scene, uint32_t object) {
+    for (uint32_t i = 0; i < object; ++i)
+        if (has_specular(scene, scene.objects[i].material) && scene.objects[i].material.shininess == scene.objects[object].material.shininess) return i;
+    return object;
+}
+
+/// One table a distinct exponent, in flash.
+template <PrecisionTier Tier, Q16 Exponent>
+inline constexpr Shininess<Tier> shininess_in_flash = shininess<Tier>(Exponent);
+
+template <const Scene& scene, PrecisionTier Tier>
+struct ShininessOfScene {
+    const Shininess<Tier>* table[at_least_one(scene.objects.count)]{};
+
+    constexpr ShininessOfScene() { fill<0>(); }
+
+private:
+    template <uint32_t I>
+    constexpr void fill() {
+        if constexpr (I < scene.objects.count) {
+            if constexpr (has_specular(scene, scene.objects[I].material)) table[I] = &shininess_in_flash<Tier, scene.objects[I].material.shininess>;
+            fill<I + 1>();
+        }
+    }
+};
+}  // namespace detail
+
+/// Draws a constexpr scene. `Have` may ask for more terms than the scene uses, so that several scenes share one pipeline
+/// or a Frame has room to vary; it can not have fewer.
+template <const Scene& scene, PrecisionTier Tier = mediump, VertexStore Store = VertexStore::keep, Needs Have = needs_of(scene)>
+class Renderer {
+    static_assert(covers(Have, needs_of(scene)), "this Renderer was built for fewer terms than the scene uses");
+
+public:
+    template <uint32_t Slots>
+    constexpr explicit Renderer(Workspace<scene, Tier, Store, Slots>& workspace) : pipeline_({scene, shininess_.table}, workspace.view()) {}
+
+    static constexpr Needs needs = Have;
+
+    constexpr void begin(const Frame& frame, Viewport viewport) { pipeline_.begin(frame, viewport); }
+    template <PixelFormat Format>
+    constexpr void draw(const Band<Format>& band) {
+        pipeline_.draw(band);
+    }
+    constexpr auto lit_vertex(uint32_t object, uint32_t index) { return pipeline_.lit_vertex(object, index); }
+
+private:
+    static constexpr detail::ShininessOfScene<scene, Tier> shininess_{};
+    Pipeline<Have, Tier, Store> pipeline_;
+};
+
+/// Draws a frame band by band, from top to bottom, and hands each to the sink. With two bands the engine draws one while
+/// the sink sends the other; with one it waits.
+template <class AnyRenderer, PixelFormat Format, Sink<Format> S>
+constexpr void present(AnyRenderer& renderer, const Frame& frame, Viewport viewport, Band<Format> (&&bands)[2], S& sink) {
+    renderer.begin(frame, viewport);
+    const int32_t rows = bands[0].rows;
+    int turn = 0;
+    for (int32_t y = 0; y < viewport.height; y += rows, turn ^= 1) {
+        Band<Format>& band = bands[turn];
+        band.first_row = y;
+        band.rows = min(rows, viewport.height - y);
+        if (bands[0].pixels == bands[1].pixels) sink.wait();  // one buffer: it is still being sent
+        renderer.draw(band);
+        sink.wait();  // the other band must be gone before this one follows
+        const size_t bytes = static_cast<size_t>(band.width * band.rows) * sizeof(typename Format::Pixel);
+        sink.flush({0, y, band.width, band.rows}, band.pixels, bytes, y + rows >= viewport.height);
+    }
+    sink.wait();
+}
+
+}  // namespace shade16

@@ -1,0 +1,114 @@
+// Stage 4, set-up: one triangle on the screen, ready for the raster stage.
+#pragma once
+
+#include "shade16/pipeline/edge.hpp"
+#include "shade16/pipeline/transform.hpp"
+#include "shade16/target/band.hpp"
+
+namespace shade16 {
+
+/// The rows and columns whose centres a triangle may cover, half open.
+struct PixelBox {
+    int32_t left = 0, right = 0, top = 0, bottom = 0;
+
+    constexpr bool is_empty() const { return left >= right || top >= bottom; }
+    constexpr PixelBox within(int32_t width, int32_t first_row, int32_t end_row) const {
+        return {max(left, int32_t{0}), min(right, width), max(top, first_row), min(bottom, end_row)};
+    }
+};
+
+/// A corner in raster coordinates: 1/16 pixel from the frame's top left.
+struct RasterPoint {
+    int32_t x = 0, y = 0;
+};
+
+/// n / area * 2^exponent, with one reciprocal a triangle.
+struct InverseArea {
+    uint32_t mantissa = 0;
+    int32_t shift = 0;  // 1 / area = mantissa * 2^(shift - 63)
+
+    SHADE16_INLINE constexpr int32_t times(int32_t n, int exponent) const {
+        const int32_t high = mulhi(n, mantissa);
+        const int s = exponent + shift - 31;
+        if (s <= 0) return high >> min(-s, 31);
+        return leading_zeros(magnitude(high)) > s ? shift_left(high, s) : (high < 0 ? INT32_MIN : INT32_MAX);
+    }
+    SHADE16_INLINE constexpr int32_t times(int64_t n, int exponent) const {
+        const int excess = max(0, 33 - leading_zeros(magnitude(n)));
+        return times(static_cast<int32_t>(n >> excess), exponent + excess);
+    }
+    /// 1 / area times a channel's largest code, as the mantissa of max / 2^bits.
+    SHADE16_INLINE constexpr InverseArea times_codes(int bits) const {
+        return {mantissa - (mantissa >> bits), shift};
+    }
+};
+
+/// The corners from top to bottom, the edges from the first, and the sign and inverse of the doubled area.
+template <PrecisionTier Tier>
+struct TriangleSetup {
+    const ScreenVertex<Tier>* corner[3]{};
+    RasterPoint p[3]{};
+    int32_t dx1 = 0, dy1 = 0, dx2 = 0, dy2 = 0;  // edges from the top corner to the middle and to the bottom one
+    bool middle_is_right = false;
+    bool is_compact = false;  // every edge below 2^14: 32-bit products do
+    InverseArea inverse{};
+    uint64_t area = 0;
+
+    /// Numerators of an attribute's slopes in x and y, times the area.
+    SHADE16_INLINE constexpr int32_t slope_x(int32_t d1, int32_t d2) const { return signed_by_side(d1 * dy2 - d2 * dy1); }
+    SHADE16_INLINE constexpr int32_t slope_y(int32_t d1, int32_t d2) const { return signed_by_side(d2 * dx1 - d1 * dx2); }
+    constexpr int64_t long_slope_x(int32_t d1, int32_t d2) const { return signed_by_side(multiply(d1, dy2) - multiply(d2, dy1)); }
+    constexpr int64_t long_slope_y(int32_t d1, int32_t d2) const { return signed_by_side(multiply(d2, dx1) - multiply(d1, dx2)); }
+
+private:
+    template <class T>
+    SHADE16_INLINE constexpr T signed_by_side(T n) const {
+        return middle_is_right ? n : -n;
+    }
+};
+
+/// Twice the area in raster units, positive for triangles that run clockwise on the screen (y points down).
+template <PrecisionTier Tier>
+SHADE16_INLINE constexpr int64_t doubled_area(const ScreenVertex<Tier>& a, const ScreenVertex<Tier>& b, const ScreenVertex<Tier>& c) {
+    const int32_t dx1 = b.x - a.x, dy1 = b.y - a.y, dx2 = c.x - a.x, dy2 = c.y - a.y;
+    const uint32_t reach = magnitude(dx1) | magnitude(dy1) | magnitude(dx2) | magnitude(dy2);
+    if (reach < (uint32_t{1} << 15)) return dx1 * dy2 - dx2 * dy1;
+    return multiply(dx1, dy2) - multiply(dx2, dy1);
+}
+
+template <PrecisionTier Tier>
+SHADE16_INLINE constexpr PixelBox pixel_box(const ScreenVertex<Tier>& a, const ScreenVertex<Tier>& b, const ScreenVertex<Tier>& c, RasterPoint centre) {
+    const int32_t left = min<int32_t>(a.x, min<int32_t>(b.x, c.x)), right = max<int32_t>(a.x, max<int32_t>(b.x, c.x));
+    const int32_t top = min<int32_t>(a.y, min<int32_t>(b.y, c.y)), bottom = max<int32_t>(a.y, max<int32_t>(b.y, c.y));
+    return {first_centre(left + centre.x), first_centre(right + centre.x), first_centre(top + centre.y), first_centre(bottom + centre.y)};
+}
+
+/// Sorts the corners by y and divides once. `area` is the positive doubled area.
+template <PrecisionTier Tier>
+constexpr TriangleSetup<Tier> set_up(const ScreenVertex<Tier>& a, const ScreenVertex<Tier>& b, const ScreenVertex<Tier>& c,
+                                     RasterPoint centre, uint64_t area) {
+    TriangleSetup<Tier> t;
+    const ScreenVertex<Tier>*top = &a, *middle = &b, *bottom = &c;
+    bool runs_clockwise = false;  // the corners as given run counter-clockwise; every exchange turns that round
+    const auto order = [&](auto& upper, auto& lower) {
+        if (lower->y >= upper->y) return;
+        const auto* exchanged = upper;
+        upper = lower, lower = exchanged;
+        runs_clockwise = !runs_clockwise;
+    };
+    order(top, middle);
+    order(top, bottom);
+    order(middle, bottom);
+    t.corner[0] = top, t.corner[1] = middle, t.corner[2] = bottom;
+    for (int i = 0; i < 3; ++i) t.p[i] = {t.corner[i]->x + centre.x, t.corner[i]->y + centre.y};
+    t.dx1 = t.p[1].x - t.p[0].x, t.dy1 = t.p[1].y - t.p[0].y;
+    t.dx2 = t.p[2].x - t.p[0].x, t.dy2 = t.p[2].y - t.p[0].y;
+    t.middle_is_right = runs_clockwise;
+    t.is_compact = (magnitude(t.dx1) | magnitude(t.dy1) | magnitude(t.dx2) | magnitude(t.dy2)) < (uint32_t{1} << 14);
+    t.area = area;
+    const Scaled normalized = Scaled::normalized(area, 0);
+    t.inverse = {reciprocal_of_normalized(normalized.mantissa), 32 - normalized.exponent};
+    return t;
+}
+
+}  // namespace shade16

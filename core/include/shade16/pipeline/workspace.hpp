@@ -1,0 +1,72 @@
+// Workspace: the RAM of a frame. All of it is the caller's, and its size is known at compile time.
+#pragma once
+
+#include "shade16/pipeline/light.hpp"
+#include "shade16/pipeline/transform.hpp"
+
+namespace shade16 {
+
+/// keep: every vertex is transformed once a frame and lit at most once, however many bands there are.
+/// replay: a small cache; each band transforms and lights again what it uses. The bits are the same.
+enum class VertexStore : uint8_t { keep, replay };
+
+/// What one object needs for a frame.
+template <PrecisionTier Tier>
+struct ObjectState {
+    ViewTransform transform{};
+    ObjectLighting<Tier> lighting{};
+    const Shininess<Tier>* shininess = nullptr;  // nullptr: no specular light
+    uint32_t first_vertex = 0, first_face = 0;
+    uint32_t first_light = 0, lights = 0;
+};
+
+/// A flat face's colour, once it is lit.
+template <PrecisionTier Tier>
+struct FaceColor {
+    typename ScreenVertex<Tier>::Channel r = 0, g = 0, b = 0;
+    uint16_t is_known = 0;
+};
+
+/// The arrays as the pipeline sees them.
+template <PrecisionTier Tier>
+struct WorkspaceView {
+    ObjectState<Tier>* objects = nullptr;
+    ObjectLight<Tier>* lights = nullptr;    // objects * lights
+    ScreenVertex<Tier>* vertices = nullptr;  // all of them, or `slots`
+    FaceColor<Tier>* faces = nullptr;       // one a face of a flat object; with `replay` none
+    uint32_t* tags = nullptr;               // with `replay`: which vertex a slot holds, plus one
+    uint32_t slots = 0;                     // with `replay`: a power of two
+};
+
+namespace detail {
+constexpr bool is_flat(const Material& m) { return m.shading == Shading::flat && !m.unlit; }
+constexpr uint32_t vertex_count(const Scene& scene) {
+    uint32_t n = 0;
+    for (const Object& object : scene.objects) n += object.mesh.positions.count;
+    return n;
+}
+constexpr uint32_t flat_face_count(const Scene& scene) {
+    uint32_t n = 0;
+    for (const Object& object : scene.objects)
+        if (is_flat(object.material)) n += object.mesh.triangles.count;
+    return n;
+}
+constexpr uint32_t at_least_one(uint32_t n) { return n == 0 ? 1 : n; }
+}  // namespace detail
+
+/// The memory for a scene that is known to the compiler.
+template <const Scene& scene, PrecisionTier Tier, VertexStore Store = VertexStore::keep, uint32_t Slots = 64>
+struct Workspace {
+    static_assert((Slots & (Slots - 1)) == 0, "the replay cache has a power of two of slots");
+    static constexpr bool keeps = Store == VertexStore::keep;
+
+    ObjectState<Tier> objects[detail::at_least_one(scene.objects.count)]{};
+    ObjectLight<Tier> lights[detail::at_least_one(scene.objects.count * scene.lights.count)]{};
+    ScreenVertex<Tier> vertices[keeps ? detail::at_least_one(detail::vertex_count(scene)) : Slots]{};
+    FaceColor<Tier> faces[keeps ? detail::at_least_one(detail::flat_face_count(scene)) : 1]{};
+    uint32_t tags[keeps ? 1 : Slots]{};
+
+    constexpr WorkspaceView<Tier> view() { return {objects, lights, vertices, keeps ? faces : nullptr, tags, Slots}; }
+};
+
+}  // namespace shade16

@@ -1,0 +1,34 @@
+// Material: how a surface answers light, in Blinn-Phong and MTL words.
+#pragma once
+
+#include "shade16/num/q16.hpp"
+#include "shade16/num/unorm.hpp"
+
+namespace shade16 {
+
+/// flat: one colour a face, lit at its centre with its face normal. gouraud: lit at the vertices, interpolated.
+enum class Shading : uint8_t { flat, gouraud };
+
+/// The ambient colour; the diffuse one unless it is given.
+struct AmbientColor {
+    Rgb color{};
+    bool given = false;
+    constexpr AmbientColor() = default;
+    constexpr AmbientColor(Rgb c) : color(c), given(true) {}
+    friend constexpr bool operator==(AmbientColor, AmbientColor) = default;
+};
+
+struct Material {
+    AmbientColor ambient{};
+    Rgb diffuse = rgb(0xCCCCCC);
+    Rgb specular = black;
+    Rgb emissive = black;
+    Q16 shininess = 32;  // the Blinn-Phong exponent, 1 to 1000, fractions welcome; clamped outside
+    Shading shading = Shading::gouraud;
+    bool unlit = false;  // shows its diffuse colour, or the vertex colours, whatever the light
+
+    constexpr Rgb ambient_color() const { return ambient.given ? ambient.color : diffuse; }
+    friend constexpr bool operator==(const Material&, const Material&) = default;
+};
+
+}  // namespace shade16

@@ -1,0 +1,84 @@
+// Needs: the set of terms that a scene uses, read off its values. A need decides which code exists, never which
+// arithmetic runs: a pipeline with more needs draws the same bits.
+#pragma once
+
+#include "shade16/scene/scene.hpp"
+
+namespace shade16 {
+
+struct Needs {
+    bool perspective = false;    // a divide a vertex
+    bool depth = false;          // a depth buffer: more than one object, or one that is not convex
+    bool lit = false;            // any lit material
+    bool unlit = false;          // any unlit material
+    bool flat = false;           // faces of one colour
+    bool gouraud = false;        // interpolated colours
+    bool vertex_colors = false;  // a factor a vertex
+    bool ambient = false;        // ambient or emissive light
+    bool diffuse = false;
+    bool specular = false;       // the half vector, the chord and the shininess tables
+    bool directional = false;
+    bool point = false;          // a light vector and a square root a vertex and light
+    bool local_viewer = false;   // a view vector and a square root a vertex
+    bool stretch = false;        // a scale that differs by axis
+
+    friend constexpr bool operator==(const Needs&, const Needs&) = default;
+};
+
+inline constexpr Needs all_needs{true, true, true, true, true, true, true, true, true, true, true, true, true, true};
+
+/// The union: one pipeline for several scenes.
+constexpr Needs operator|(Needs a, Needs b) {
+    return {a.perspective || b.perspective, a.depth || b.depth,
+            a.lit || b.lit, a.unlit || b.unlit,
+            a.flat || b.flat, a.gouraud || b.gouraud,
+            a.vertex_colors || b.vertex_colors, a.ambient || b.ambient,
+            a.diffuse || b.diffuse, a.specular || b.specular,
+            a.directional || b.directional, a.point || b.point,
+            a.local_viewer || b.local_viewer, a.stretch || b.stretch};
+}
+
+/// Whether a pipeline built for `have` can draw what wants `want`.
+constexpr bool covers(Needs have, Needs want) { return (have | want) == have; }
+
+namespace detail {
+constexpr Needs needs_of(const Object& object, View<Light> lights) {
+    const Material& m = object.material;
+    Needs n;
+    n.unlit = m.unlit;
+    n.lit = !m.unlit;
+    n.flat = m.shading == Shading::flat && !m.unlit;
+    n.gouraud = !n.flat;
+    n.vertex_colors = !object.mesh.colors.empty();
+    n.stretch = object.pose.scale.x != object.pose.scale.y || object.pose.scale.y != object.pose.scale.z;
+    if (m.unlit) return n;
+
+    n.ambient = m.emissive != black;
+    for (const Light& light : lights) {
+        if (light.intensity.is_zero()) continue;
+        if (light.kind == LightKind::ambient) {
+            n.ambient |= light.diffuse != black && m.ambient_color() != black;
+            continue;
+        }
+        const bool diffuse = light.diffuse != black && m.diffuse != black;
+        const bool specular = light.specular != black && m.specular != black;
+        n.diffuse |= diffuse;
+        n.specular |= specular;
+        n.directional |= (diffuse || specular) && light.kind == LightKind::directional;
+        n.point |= (diffuse || specular) && light.kind == LightKind::point;
+    }
+    return n;
+}
+}  // namespace detail
+
+/// What the scene uses, by looking at its values.
+constexpr Needs needs_of(const Scene& scene) {
+    Needs n;
+    for (const Object& object : scene.objects) n = n | detail::needs_of(object, scene.lights);
+    n.perspective = scene.camera.projection == Projection::perspective;
+    n.local_viewer = n.specular && scene.camera.sees_locally();
+    n.depth = scene.objects.count > 1 || (scene.objects.count == 1 && !scene.objects[0].mesh.convex);
+    return n;
+}
+
+}  // namespace shade16

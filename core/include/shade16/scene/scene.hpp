@@ -1,0 +1,40 @@
+// Scene: what to draw. Plain constexpr aggregates; what changes from frame to frame goes in a Frame.
+#pragma once
+
+#include "shade16/scene/camera.hpp"
+#include "shade16/scene/light.hpp"
+#include "shade16/scene/material.hpp"
+#include "shade16/scene/mesh.hpp"
+
+namespace shade16 {
+
+/// v -> rotation * (scale * v) + translation. A scale differs by axis only if it must: normals are then renormalised.
+struct Pose {
+    Mat3 rotation{};
+    Vec3 scale{1, 1, 1};  // above 0
+    Vec3 translation{};
+    friend constexpr bool operator==(const Pose&, const Pose&) = default;
+};
+
+struct Object {
+    Mesh mesh;
+    Material material{};
+    Pose pose{};
+};
+
+struct Scene {
+    Camera camera{};
+    View<Light> lights{};
+    View<Object> objects{};
+    Rgb background = black;
+};
+
+/// The values of one frame, where they differ from the scene's. They may vary a term, never add one: a scene compiled
+/// without specular has no code for it. An array, when given, has as many elements as the scene's.
+struct Frame {
+    const Camera* camera = nullptr;
+    const Light* lights = nullptr;
+    const Pose* poses = nullptr;
+};
+
+}  // namespace shade16

@@ -1,0 +1,73 @@
+// Band: some full rows of the frame, what fits in RAM and goes to the display in one transfer. A framebuffer is the band
+// of all rows.
+#pragma once
+
+#include "shade16/num/unorm.hpp"
+#include "shade16/target/pixel.hpp"
+
+namespace shade16 {
+
+inline constexpr int32_t max_target_px = 2048;
+
+/// Rows [first_row, first_row + rows) of a frame `width` wide. The memory is the caller's.
+template <PixelFormat Format>
+struct Band {
+    typename Format::Pixel* pixels = nullptr;
+    uint16_t* depth = nullptr;  // as many as pixels; nullptr where the scene needs no depth
+    int32_t width = 0;
+    int32_t first_row = 0;
+    int32_t rows = 0;
+
+    constexpr typename Format::Pixel* row(int32_t y) const { return pixels + (y - first_row) * width; }
+    constexpr uint16_t* depth_row(int32_t y) const { return depth + (y - first_row) * width; }
+};
+
+inline constexpr uint16_t far_depth = 65535;
+
+/// The pixel nearest to a colour.
+template <PixelFormat Format>
+constexpr typename Format::Pixel nearest_pixel(Rgb color) {
+    // round(raw * max / 65535), halves down: the quotient by 65535 is exact as a sum of shifts below 2^32.
+    const auto code = [](Unorm16 c, int bits) {
+        const uint32_t x = uint32_t{c.raw} * ((uint32_t{1} << bits) - 1) + 32767;
+        return (x + (x >> 16) + 1) >> 16;
+    };
+    return Format::pack(code(color.r, Format::red_bits), code(color.g, Format::green_bits), code(color.b, Format::blue_bits));
+}
+
+namespace detail {
+/// Eight at a time: the compiler keeps the stores back to back.
+template <class T>
+constexpr void fill(T* first, int32_t count, T value) {
+    for (; count >= 8; count -= 8, first += 8) {
+        first[0] = value, first[1] = value, first[2] = value, first[3] = value;
+        first[4] = value, first[5] = value, first[6] = value, first[7] = value;
+    }
+    for (; count > 0; --count) *first++ = value;
+}
+}  // namespace detail
+
+template <PixelFormat Format>
+constexpr void clear(const Band<Format>& band, typename Format::Pixel background) {
+    detail::fill(band.pixels, band.width * band.rows, background);
+    if (band.depth != nullptr) detail::fill(band.depth, band.width * band.rows, far_depth);
+}
+
+/// A band with memory of its own.
+template <PixelFormat Format, int32_t Width, int32_t Rows, bool Depth = true>
+struct BandBuffer {
+    static_assert(Width > 0 && Rows > 0 && Width <= max_target_px && Rows <= max_target_px, "a target is 1 to 2048 pixels wide and high");
+    static constexpr size_t count = static_cast<size_t>(Width) * static_cast<size_t>(Rows);
+    typename Format::Pixel pixels[count]{};
+    uint16_t depth[Depth ? count : 1]{};
+
+    constexpr Band<Format> band(int32_t first_row = 0, int32_t rows = Rows) {
+        return {pixels, Depth ? depth : nullptr, Width, first_row, rows};
+    }
+};
+
+/// A whole frame with memory of its own.
+template <PixelFormat Format, int32_t Width, int32_t Height, bool Depth = true>
+using Framebuffer = BandBuffer<Format, Width, Height, Depth>;
+
+}  // namespace shade16
