@@ -21,7 +21,7 @@ struct ReciprocalTable {
         for (uint64_t i = 0; i <= 64; ++i) {
             const uint64_t a = 64 + i, exact = (uint64_t{1} << 46) / a;           // 2^40 / a as Q16, 24 guard bits
             const uint64_t lowering = exact / (8 * a * a);                      // h^2/16 * 2/a^3 of f = 1/a, h = 1
-            y[i] = static_cast<uint16_t>(min<uint64_t>((exact - lowering + (1u << 23)) >> 24, 65535));
+            y[i] = static_cast<uint16_t>(min<uint64_t>((exact - lowering + (uint32_t{1} << 23)) >> 24, 65535));
         }
     }
 };

@@ -1,0 +1,20 @@
+// Arm MPS2 with image AN385 (Cortex-M3) as QEMU emulates it: a board for trying things out, with memory to spare.
+#pragma once
+
+#include <shade16/shade16.hpp>
+
+namespace shade16 {
+
+struct Board {
+    static constexpr const char* name = "qemu_mps2_an385";
+    static constexpr uint32_t cpu_hz = 25'000'000;
+    static constexpr uint32_t flash_bytes = 4 * 1024 * 1024;
+    static constexpr uint32_t ram_bytes = 4 * 1024 * 1024;
+
+    using Pixel = Rgb565;
+    static constexpr int width_px = 320;
+    static constexpr int height_px = 240;
+    static constexpr int band_rows = 40;
+};
+
+}  // namespace shade16

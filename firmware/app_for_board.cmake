@@ -1,0 +1,33 @@
+# What an app needs to run on a bare machine: the board's processor flags, its memory, and the runtime.
+add_library(shade16_board INTERFACE)
+target_include_directories(shade16_board INTERFACE ${SHADE16_BOARDS_DIR}/${BOARD} ${CMAKE_CURRENT_SOURCE_DIR}
+                                                   ${PROJECT_SOURCE_DIR})
+target_compile_options(shade16_board INTERFACE
+  ${BOARD_CPU_FLAGS} ${BOARD_OPTIMIZE} -g -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics
+  -fno-unwind-tables -fno-asynchronous-unwind-tables -ffunction-sections -fdata-sections)
+target_link_options(shade16_board INTERFACE
+  ${BOARD_CPU_FLAGS} -nostdlib -nostartfiles LINKER:--gc-sections
+  LINKER:--script=${SHADE16_BOARDS_DIR}/${BOARD}/memory.ld
+  LINKER:--script=${CMAKE_CURRENT_SOURCE_DIR}/runtime/sections.ld)
+target_link_libraries(shade16_board INTERFACE shade16::core)
+
+add_library(shade16_runtime OBJECT runtime/startup_arm.cpp runtime/board_memory.cpp runtime/memory_functions.cpp
+                                   runtime/console.cpp runtime/console_semihosting.cpp runtime/semihosting.cpp)
+target_link_libraries(shade16_runtime PUBLIC shade16_board PRIVATE shade16_warnings)
+set_source_files_properties(runtime/memory_functions.cpp PROPERTIES
+  COMPILE_OPTIONS "-fno-builtin;-fno-tree-loop-distribute-patterns")
+
+# An image of the board. The compiler's own library comes last: it serves every object before it.
+function(shade16_add_image name source)
+  add_executable(${name} ${source})
+  target_link_libraries(${name} PRIVATE shade16_runtime shade16_warnings gcc)
+  set_target_properties(${name} PROPERTIES
+    SUFFIX .elf
+    CROSSCOMPILING_EMULATOR "${BOARD_EMULATOR}"
+    LINK_DEPENDS "${SHADE16_BOARDS_DIR}/${BOARD}/memory.ld;${PROJECT_SOURCE_DIR}/firmware/runtime/sections.ld")
+endfunction()
+
+function(shade16_build_app name source)
+  shade16_add_image(${name} ${source})
+  target_link_options(${name} PRIVATE LINKER:--print-memory-usage)
+endfunction()

@@ -1,0 +1,10 @@
+// Semihosting: the program asks the debugger, or the emulator, to print for it and to end it.
+// Source: "Semihosting for AArch32 and AArch64", Arm.
+#pragma once
+
+namespace shade16::semihosting {
+
+void write(const char* text);
+[[noreturn]] void exit(int status);
+
+}  // namespace shade16::semihosting

@@ -1,0 +1,31 @@
+// The same pipeline in double precision: transform, clip, light, raster. It is never linked by core or firmware.
+#pragma once
+
+#include "host_sim/reference/light.hpp"
+#include "host_sim/reference/raster.hpp"
+#include "host_sim/reference/scene.hpp"
+
+namespace shade16::reference {
+
+/// The values of one frame, resolved against the scene's.
+struct FrameValues {
+    const Camera& camera;
+    shade16::View<Light> lights;
+    const Pose* poses;  // nullptr: the objects' own
+
+    FrameValues(const shade16::Scene& scene, const Frame& frame)
+        : camera(frame.camera != nullptr ? *frame.camera : scene.camera),
+          lights(frame.lights != nullptr ? frame.lights : scene.lights.first, scene.lights.count), poses(frame.poses) {}
+    const Pose& pose(const shade16::Scene& scene, std::size_t object) const {
+        return poses != nullptr ? poses[object] : scene.objects[static_cast<uint32_t>(object)].pose;
+    }
+};
+
+/// The light at a vertex, and at a face's centre with the face's own normal, in parts.
+LightParts light_vertex(const Scene& scene, const Frame& frame, std::size_t object, uint32_t vertex);
+LightParts light_face(const Scene& scene, const Frame& frame, std::size_t object, uint32_t face);
+
+/// Draws the whole scene.
+Picture draw(const Scene& scene, const Frame& frame, Viewport viewport);
+
+}  // namespace shade16::reference

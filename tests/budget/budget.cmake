@@ -1,0 +1,11 @@
+# What an image must not contain. Looked for in the linked file, where only what something reaches is left.
+get_property(apps GLOBAL PROPERTY SHADE16_APPS)
+foreach(app IN LISTS apps)
+  shade16_add_script_test(forbidden_symbols.${app} LABEL budget SCRIPT budget/forbidden_symbols.cmake
+    NM=${CMAKE_NM} IMAGE=$<TARGET_FILE:${app}>)
+endforeach()
+
+# A check that cannot fail proves nothing: this image breaks the rules, and every broken rule must be named.
+shade16_add_image(rule_breaker ${CMAKE_CURRENT_SOURCE_DIR}/budget/rule_breaker.cpp)
+shade16_add_script_test(forbidden_symbols.are_found LABEL budget SCRIPT budget/forbidden_symbols_self_test.cmake
+  NM=${CMAKE_NM} IMAGE=$<TARGET_FILE:rule_breaker>)

@@ -1,0 +1,33 @@
+# The C++ tests: one program for all *_test.cpp of a folder, so that adding a test is adding a file.
+# `checks` builds every program that ctest runs, and nothing else.
+add_custom_target(checks)
+
+find_package(GTest)
+if(NOT GTest_FOUND)
+  if("$ENV{SHADE16_REQUIRE_ALL}" STREQUAL "1")
+    message(FATAL_ERROR "GoogleTest is not installed, and SHADE16_REQUIRE_ALL asks for every test.")
+  endif()
+  message(STATUS "GoogleTest is not installed: the C++ tests are left out.")
+  return()
+endif()
+
+# shade16_add_test(<name> <label> <source>...)
+function(shade16_add_test name label)
+  add_executable(${name} ${ARGN})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/tests)
+  target_link_libraries(${name} PRIVATE GTest::gtest_main GTest::gmock shade16::core shade16_warnings)
+  add_dependencies(checks ${name})
+  add_test(NAME ${name} COMMAND ${name})
+  set_tests_properties(${name} PROPERTIES TIMEOUT 300 LABELS "${label}")
+endfunction()
+
+foreach(group IN ITEMS unit accuracy raster system)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${group}/*_test.cpp)
+  if(sources)
+    shade16_add_test(${group}_tests ${group} ${sources})
+  endif()
+endforeach()
+
+if(TARGET system_tests AND TARGET host_sim_library)
+  target_link_libraries(system_tests PRIVATE host_sim_library)
+endif()

@@ -1,0 +1,49 @@
+# Who may include whom. The core: <stdint.h>, <stddef.h> and itself, one way: num <- scene <- target <- pipeline.
+# Neither the core nor the firmware knows the simulator or GLM.
+cmake_minimum_required(VERSION 3.25)
+
+set(layers num scene target pipeline)
+
+# shade16_includes(<file> <result>): the names in its #include lines, with their brackets or quotes.
+function(shade16_includes file result)
+  file(STRINGS ${file} lines REGEX "^[ \t]*#[ \t]*include")
+  list(TRANSFORM lines REPLACE "^[ \t]*#[ \t]*include[ \t]*([<\"][^>\"]*[>\"]).*" "\\1")
+  set(${result} "${lines}" PARENT_SCOPE)
+endfunction()
+
+set(core ${SOURCE}/core/include)
+file(GLOB_RECURSE headers RELATIVE ${core} ${core}/*)
+if(NOT headers)
+  message(FATAL_ERROR "There is no header under ${core}: this test would pass without looking at anything.")
+endif()
+
+foreach(header IN LISTS headers)
+  string(REGEX REPLACE "^shade16/([^/]*).*" "\\1" layer "${header}")
+  list(FIND layers "${layer}" rank)
+  shade16_includes(${core}/${header} includes)
+  foreach(include IN LISTS includes)
+    if(include MATCHES "^<(stdint|stddef)\\.h>$")
+      continue()
+    endif()
+    if(NOT include MATCHES "^\"shade16/(.*)\"$")
+      message(SEND_ERROR
+        "${header} includes ${include}. The core includes <stdint.h>, <stddef.h> and \"shade16/...\" only.")
+      continue()
+    endif()
+    string(REGEX REPLACE "^\"shade16/([^/\"]*).*" "\\1" included_layer "${include}")
+    list(FIND layers "${included_layer}" included_rank)
+    if(NOT rank EQUAL -1 AND included_rank GREATER rank)
+      message(SEND_ERROR "${header} includes ${include}, but '${layer}' comes before '${included_layer}'.")
+    endif()
+  endforeach()
+endforeach()
+
+file(GLOB_RECURSE sources ${SOURCE}/core/*.hpp ${SOURCE}/firmware/*.[ch]pp ${SOURCE}/boards/*.hpp)
+foreach(source IN LISTS sources)
+  shade16_includes(${source} includes)
+  foreach(include IN LISTS includes)
+    if(include MATCHES "host_sim|glm/")
+      message(SEND_ERROR "${source} includes ${include}, which belongs to the host.")
+    endif()
+  endforeach()
+endforeach()

@@ -1,0 +1,45 @@
+# Tests of the whole: boards against this computer, the build itself, and the rules that the core promises to keep.
+set(SHADE16_BOARD_BUILDS ${PROJECT_SOURCE_DIR}/build CACHE PATH "Where the boards are built: one folder a board")
+
+# The same app, the same words, on the board and here.
+get_property(apps GLOBAL PROPERTY SHADE16_APPS)
+get_property(boards GLOBAL PROPERTY SHADE16_EMULATED_BOARDS)
+foreach(board IN LISTS boards)
+  include(${SHADE16_BOARDS_DIR}/${board}/board.cmake)
+  list(JOIN BOARD_EMULATOR " " emulator)
+  foreach(app IN LISTS apps)
+    shade16_add_script_test(same_on_board.${app}.${board} LABEL boards SCRIPT system/same_on_board.cmake
+      BOARD=${board} "EMULATOR=${emulator}" IMAGE=${SHADE16_BOARD_BUILDS}/${board}/firmware/${app}.elf
+      HOST_PROGRAM=$<TARGET_FILE:${app}_${board}>)
+  endforeach()
+endforeach()
+
+list(JOIN SHADE16_BOARDS " " boards)
+shade16_add_script_test(wrong_board_is_refused LABEL system SCRIPT system/wrong_board.cmake
+  SOURCE=${PROJECT_SOURCE_DIR} BUILD=${CMAKE_CURRENT_BINARY_DIR}/wrong_board "BOARDS=${boards}")
+
+shade16_add_script_test(includes_point_one_way LABEL system SCRIPT system/includes.cmake SOURCE=${PROJECT_SOURCE_DIR})
+shade16_add_script_test(core_has_no_floating_point LABEL system SCRIPT system/no_floating_point.cmake
+  SOURCE=${PROJECT_SOURCE_DIR})
+
+# The core with no C++ library, on every kind of machine.
+function(shade16_freestanding target alone compiler)
+  list(JOIN ARGN " " flags)
+  shade16_add_script_test(freestanding.${target} LABEL freestanding SCRIPT system/freestanding.cmake
+    SOURCE=${PROJECT_SOURCE_DIR} SCRATCH=${CMAKE_CURRENT_BINARY_DIR}/freestanding/${target} ALONE=${alone}
+    COMPILER=${compiler} "FLAGS=${flags}")
+endfunction()
+
+shade16_freestanding(host_gcc ON g++)
+shade16_freestanding(host_clang ON clang++)
+shade16_freestanding(cortex_m0plus_gcc OFF arm-none-eabi-g++ -mcpu=cortex-m0plus -mthumb)
+shade16_freestanding(cortex_m3_gcc OFF arm-none-eabi-g++ -mcpu=cortex-m3 -mthumb)
+# -mgeneral-regs-only turns any floating-point arithmetic into an error.
+shade16_freestanding(cortex_m4f_gcc OFF arm-none-eabi-g++ -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16
+                     -mgeneral-regs-only)
+shade16_freestanding(rv32imc_gcc OFF riscv64-unknown-elf-g++ -march=rv32imc -mabi=ilp32)
+shade16_freestanding(cortex_m0plus_clang OFF clang++ --target=thumbv6m-none-eabi -mcpu=cortex-m0plus)
+shade16_freestanding(rv32imc_clang OFF clang++ --target=riscv32-unknown-elf -march=rv32imc -mabi=ilp32)
+shade16_freestanding(wasm32_clang OFF clang++ --target=wasm32-unknown-unknown)
+# An int of 16 bits, where careless shifts show. Nothing is linked, so clang need not look for AVR's libraries.
+shade16_freestanding(avr_clang OFF clang++ --target=avr -mmcu=atmega328p -Wno-avr-rtlib-linking-quirks)
