@@ -1,6 +1,8 @@
 // Arm MPS2 with image AN385 (Cortex-M3) as QEMU emulates it: a board for trying things out, with memory to spare.
 #pragma once
 
+#include <assets/teapot.hpp>
+#include <runtime/hash_sink.hpp>
 #include <shade16/shade16.hpp>
 
 namespace shade16 {
@@ -15,6 +17,13 @@ struct Board {
     static constexpr int width_px = 320;
     static constexpr int height_px = 240;
     static constexpr int band_rows = 40;
+    static constexpr int bands = 2;
+
+    static constexpr VertexStore vertex_store = VertexStore::keep;
+    static constexpr Mesh model = assets::teapot;
+    static constexpr Q16 model_scale = Q16::from_raw(65536 / 12);
+
+    HashSink display;
 };
 
 }  // namespace shade16

@@ -1,21 +1,33 @@
-// A placeholder that hashes a gradient: enough to compare a board with this computer.
+// A brass model on a turntable: the README's program. The board says which model, how large a screen and how much RAM.
 #include <board.hpp>
-#include <runtime/console.hpp>
+
+using namespace shade16;
+
+constexpr Light lights[] = {
+    ambient_light(rgb(0x404040)),
+    directional_light({-5, 9, 8}, white, 0.7_scaled),
+    point_light({4, 1, 3}, rgb(0x9FB8FF), 0.25_scaled),
+};
+constexpr Object objects[] = {
+    {.mesh = Board::model, .material = *find_material("brass")},
+};
+constexpr Scene scene{
+    .camera = {.eye = {0, 2, 5}, .viewer = Viewer::local, .fov_y = 36_deg, .near_distance = 2, .far_distance = 9},
+    .lights = lights,
+    .objects = objects,
+    .background = rgb(0x101820),
+};
+constexpr Viewport screen{Board::width_px, Board::height_px};
+
+static Board board;
+static Workspace<scene, mediump, Board::vertex_store> workspace;
+static BandBuffer<Board::Pixel, Board::width_px, Board::band_rows> buffers[Board::bands];
 
 int main() {
-    using namespace shade16;
-    for (uint32_t frame = 0; frame < 2; ++frame) {
-        uint32_t hash = 2166136261u;
-        for (uint32_t y = 0; y < static_cast<uint32_t>(Board::height_px); ++y) {
-            for (uint32_t x = 0; x < static_cast<uint32_t>(Board::width_px); ++x) {
-                hash = (hash ^ (x * y + frame)) * 16777619u;
-            }
-        }
-        console::print("frame ");
-        console::print_decimal(frame);
-        console::print(" ");
-        console::print_hex(hash);
-        console::print("\n");
+    Renderer<scene, mediump, Board::vertex_store> renderer(workspace);
+    for (uint32_t step = 0; step < 8; ++step) {
+        const Pose pose = centred_pose(Board::model, rotate_y(45_deg * step) * rotate_x(20_deg), Board::model_scale);
+        present(renderer, {.poses = &pose}, screen, buffers, board.display);
     }
     return 0;
 }

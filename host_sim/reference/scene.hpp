@@ -2,15 +2,21 @@
 // quantised one, exactly, or the file's own before quantisation.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "host_sim/reference/values.hpp"
 
 namespace shade16::reference {
 
+/// Corners by index; not limited to 16 bits, since a file's mesh is not.
+struct Triangle {
+    uint32_t a = 0, b = 0, c = 0;
+};
+
 struct Mesh {
     std::vector<glm::dvec3> positions{}, normals{}, colors{};
-    std::vector<shade16::Triangle> triangles{};
+    std::vector<Triangle> triangles{};
 };
 
 /// The quantised mesh, each value exact.

@@ -62,6 +62,8 @@ struct Arithmetic {
     static constexpr bool wide = to_128 < mediump::promise.to_exponent_128.micro || to_1000 < mediump::promise.to_exponent_1000.micro;
     /// Index bits of the 1/sqrt table for 16-bit vectors: 49 or 97 entries.
     static constexpr int rsqrt_bits = to_128 >= lowp::promise.to_exponent_128.micro && to_1000 >= lowp::promise.to_exponent_1000.micro ? 6 : 7;
+    /// Where |N.L| is below 2^gate_log2 the rounding of unit vectors may put the step of the specular term on either side.
+    static constexpr int gate_log2 = wide ? -24 : -12;
     /// The share of the promise that the shininess table may use up.
     static constexpr Levels shininess_max_error{wide ? 1'500 : to_128 / 15 * 4};
 };

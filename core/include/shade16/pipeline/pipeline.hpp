@@ -21,7 +21,7 @@ class Pipeline {
 public:
     using Vertex = ScreenVertex<Tier>;
 
-    constexpr Pipeline(PreparedScene<Tier> prepared, WorkspaceView<Tier> workspace) : prepared_(prepared), work_(workspace) {}
+    constexpr Pipeline(PreparedScene<Tier> prepared, WorkspaceView<Tier> memory) : prepared_(prepared), work_(memory) {}
 
     /// Begins a frame: sets every object up and, with VertexStore::keep, transforms its vertices.
     constexpr void begin(const Frame& frame, Viewport viewport) {
@@ -59,6 +59,10 @@ public:
         Vertex v = load(prepared_.scene.objects[object], work_.objects[object], index);
         light_vertex(prepared_.scene.objects[object], work_.objects[object], index, v);
         return v;
+    }
+    /// The same for a face of a flat object.
+    constexpr FaceColor<Tier> lit_face(uint32_t object, uint32_t face) {
+        return light_face(prepared_.scene.objects[object], work_.objects[object], face);
     }
 
 private:
@@ -128,27 +132,28 @@ private:
         keep_color(state, index, v);
     }
 
-    constexpr void color_flat(const Object& object, const ObjectState<Tier>& state, uint32_t face, Vertex (&v)[3]) {
+    constexpr FaceColor<Tier> light_face(const Object& object, const ObjectState<Tier>& state, uint32_t face) {
+        if (Store == VertexStore::keep && work_.faces[state.first_face + face].is_known) return work_.faces[state.first_face + face];
         const Triangle t = object.mesh.triangles[face];
-        FaceColor<Tier> color{};
-        if (Store == VertexStore::keep) color = work_.faces[state.first_face + face];
-        if (color.is_known == 0) {
-            const auto& p = object.mesh.positions;
-            const auto& c = object.mesh.colors;
-            Rgb mean{};
-            if (!c.empty()) mean = mean_color(c[t.a], c[t.b], c[t.c]);
-            Vertex lit;
-            lit.set_color(light_point<N>(state.lighting, lights_of(state), state.shininess, face_centre(p[t.a], p[t.b], p[t.c]),
-                                         lighting_face_normal<N>(state.lighting, p[t.a], p[t.b], p[t.c]), c.empty() ? nullptr : &mean));
-            color = {lit.r, lit.g, lit.b, 1};
-            if (Store == VertexStore::keep) work_.faces[state.first_face + face] = color;
-        }
-        for (Vertex& corner : v) corner.r = color.r, corner.g = color.g, corner.b = color.b;
+        const auto& p = object.mesh.positions;
+        const auto& c = object.mesh.colors;
+        Rgb mean{};
+        if (!c.empty()) mean = mean_color(c[t.a], c[t.b], c[t.c]);
+        Vertex lit;
+        lit.set_color(light_point<N>(state.lighting, lights_of(state), state.shininess, face_centre(p[t.a], p[t.b], p[t.c]),
+                                     lighting_face_normal<N>(state.lighting, p[t.a], p[t.b], p[t.c]), c.empty() ? nullptr : &mean));
+        const FaceColor<Tier> color{lit.r, lit.g, lit.b, 1};
+        if (Store == VertexStore::keep) work_.faces[state.first_face + face] = color;
+        return color;
     }
 
     constexpr void color_corners(const Object& object, const ObjectState<Tier>& state, uint32_t face, Vertex (&v)[3]) {
         if constexpr (N.flat)
-            if (!N.gouraud || detail::is_flat(object.material)) return color_flat(object, state, face, v);
+            if (!N.gouraud || detail::is_flat(object.material)) {
+                const FaceColor<Tier> color = light_face(object, state, face);
+                for (Vertex& corner : v) corner.r = color.r, corner.g = color.g, corner.b = color.b;
+                return;
+            }
         const Triangle t = object.mesh.triangles[face];
         light_vertex(object, state, t.a, v[0]);
         light_vertex(object, state, t.b, v[1]);

@@ -50,7 +50,7 @@ class Renderer {
 
 public:
     template <uint32_t Slots>
-    constexpr explicit Renderer(Workspace<scene, Tier, Store, Slots>& workspace) : pipeline_({scene, shininess_.table}, workspace.view()) {}
+    constexpr explicit Renderer(Workspace<scene, Tier, Store, Slots>& memory) : pipeline_({scene, shininess_.table}, memory.view()) {}
 
     static constexpr Needs needs = Have;
 
@@ -66,22 +66,21 @@ private:
     Pipeline<Have, Tier, Store> pipeline_;
 };
 
-/// Draws a frame band by band, from top to bottom, and hands each to the sink. With two bands the engine draws one while
-/// the sink sends the other; with one it waits.
-template <class AnyRenderer, PixelFormat Format, Sink<Format> S>
-constexpr void present(AnyRenderer& renderer, const Frame& frame, Viewport viewport, Band<Format> (&&bands)[2], S& sink) {
+/// Draws a frame band by band, from top to bottom, and hands each to the sink. `buffers` are one or two BandBuffers: with
+/// two the engine draws one while the sink sends the other.
+template <class AnyRenderer, class Buffer, size_t Count, class S>
+constexpr void present(AnyRenderer& renderer, const Frame& frame, Viewport viewport, Buffer (&buffers)[Count], S& sink) {
+    static_assert(Count == 1 || Count == 2, "a frame is drawn into one band buffer, or into two in turn");
+    static_assert(Sink<S, typename Buffer::Format>, "the sink lacks flush(area, pixels, bytes, last) or wait()");
     renderer.begin(frame, viewport);
-    const int32_t rows = bands[0].rows;
-    int turn = 0;
-    for (int32_t y = 0; y < viewport.height; y += rows, turn ^= 1) {
-        Band<Format>& band = bands[turn];
-        band.first_row = y;
-        band.rows = min(rows, viewport.height - y);
-        if (bands[0].pixels == bands[1].pixels) sink.wait();  // one buffer: it is still being sent
+    size_t turn = 0;
+    for (int32_t y = 0; y < viewport.height; y += Buffer::rows, turn = Count - 1 - turn) {
+        const auto band = buffers[turn].band(y, min(Buffer::rows, viewport.height - y));
+        if (Count == 1) sink.wait();  // the one buffer is still being sent
         renderer.draw(band);
-        sink.wait();  // the other band must be gone before this one follows
-        const size_t bytes = static_cast<size_t>(band.width * band.rows) * sizeof(typename Format::Pixel);
-        sink.flush({0, y, band.width, band.rows}, band.pixels, bytes, y + rows >= viewport.height);
+        if (Count == 2) sink.wait();  // the other one must be gone before this one follows
+        const size_t bytes = static_cast<size_t>(band.width * band.rows) * sizeof(*band.pixels);
+        sink.flush({0, y, band.width, band.rows}, band.pixels, bytes, y + band.rows >= viewport.height);
     }
     sink.wait();
 }

@@ -22,20 +22,24 @@ struct RasterPoint {
     int32_t x = 0, y = 0;
 };
 
-/// n / area * 2^exponent, with one reciprocal a triangle.
+/// One reciprocal a triangle.
 struct InverseArea {
     uint32_t mantissa = 0;
     int32_t shift = 0;  // 1 / area = mantissa * 2^(shift - 63)
 
+    /// n / area * 2^exponent, saturated. For n of few bits the quotient has few, too: enough for the slopes of triangles
+    /// that are not slivers.
     SHADE16_INLINE constexpr int32_t times(int32_t n, int exponent) const {
         const int32_t high = mulhi(n, mantissa);
         const int s = exponent + shift - 31;
         if (s <= 0) return high >> min(-s, 31);
         return leading_zeros(magnitude(high)) > s ? shift_left(high, s) : (high < 0 ? INT32_MIN : INT32_MAX);
     }
-    SHADE16_INLINE constexpr int32_t times(int64_t n, int exponent) const {
-        const int excess = max(0, 33 - leading_zeros(magnitude(n)));
-        return times(static_cast<int32_t>(n >> excess), exponent + excess);
+    /// The same to 30 bits whatever the size of n: brought to 31 bits first.
+    constexpr int32_t times(int64_t n, int exponent) const {
+        const int excess = 33 - leading_zeros(magnitude(n));
+        const int64_t shifted = excess > 0 ? n >> excess : static_cast<int64_t>(static_cast<uint64_t>(n) << min(-excess, 32));
+        return times(static_cast<int32_t>(shifted), exponent + max(excess, -32));
     }
     /// 1 / area times a channel's largest code, as the mantissa of max / 2^bits.
     SHADE16_INLINE constexpr InverseArea times_codes(int bits) const {

@@ -16,6 +16,11 @@ struct Pose {
     friend constexpr bool operator==(const Pose&, const Pose&) = default;
 };
 
+/// A pose that turns a mesh about its own centre and puts that centre at the origin.
+constexpr Pose centred_pose(const Mesh& mesh, const Mat3& rotation, Q16 scale = 1) {
+    return {rotation, {scale, scale, scale}, -(rotation * (mesh.centre * scale))};
+}
+
 struct Object {
     Mesh mesh;
     Material material{};

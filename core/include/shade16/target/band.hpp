@@ -54,15 +54,17 @@ constexpr void clear(const Band<Format>& band, typename Format::Pixel background
 }
 
 /// A band with memory of its own.
-template <PixelFormat Format, int32_t Width, int32_t Rows, bool Depth = true>
+template <PixelFormat PixelLayout, int32_t Width, int32_t Rows, bool Depth = true>
 struct BandBuffer {
+    using Format = PixelLayout;
+    static constexpr int32_t rows = Rows;
     static_assert(Width > 0 && Rows > 0 && Width <= max_target_px && Rows <= max_target_px, "a target is 1 to 2048 pixels wide and high");
     static constexpr size_t count = static_cast<size_t>(Width) * static_cast<size_t>(Rows);
     typename Format::Pixel pixels[count]{};
     uint16_t depth[Depth ? count : 1]{};
 
-    constexpr Band<Format> band(int32_t first_row = 0, int32_t rows = Rows) {
-        return {pixels, Depth ? depth : nullptr, Width, first_row, rows};
+    constexpr Band<Format> band(int32_t first_row = 0, int32_t row_count = Rows) {
+        return {pixels, Depth ? depth : nullptr, Width, first_row, row_count};
     }
 };
 

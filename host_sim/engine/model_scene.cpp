@@ -1,0 +1,41 @@
+#include "host_sim/engine/model_scene.hpp"
+
+#include "host_sim/engine/fit.hpp"
+
+namespace shade16::host {
+
+ModelScene::ModelScene(Model model, Viewport viewport, const Shading* shading) : model_(std::move(model)), baked_(quantize(model_)) {
+    for (std::size_t i = 0; i < baked_.parts.size(); ++i) {
+        objects_.push_back({mesh_of(baked_, i), baked_.parts[i].material, {}});
+        if (shading != nullptr) objects_.back().material.shading = *shading;
+    }
+    scene_.objects = {objects_.data(), static_cast<uint32_t>(objects_.size())};
+    scene_.background = rgb(0x101820);
+
+    scale_ = fitting_scale(baked_);
+    scene_.camera = fitting_camera(*this, viewport, figures_);
+    lights_ = light_rig();
+    scene_.lights = {lights_.data(), static_cast<uint32_t>(lights_.size())};
+    lights_[key_light].intensity = fitting_key(*this, lights_[key_light], viewport, figures_);
+}
+
+std::vector<Pose> ModelScene::poses(Angle turn) const {
+    return std::vector<Pose>(objects_.size(), centred_pose(objects_.front().mesh, rotate_y(turn), scale_));
+}
+
+reference::Scene ModelScene::unquantized() const {
+    reference::Scene result{scene_, {}};
+    const auto vectors = [](const std::vector<Double3>& from) {
+        std::vector<glm::dvec3> to;
+        for (const Double3& v : from) to.emplace_back(v[0], v[1], v[2]);
+        return to;
+    };
+    for (const ModelPart& part : model_.parts) {
+        reference::Mesh mesh{vectors(model_.positions), vectors(model_.normals), vectors(model_.colors), {}};
+        for (const auto& t : part.triangles) mesh.triangles.push_back({t[0], t[1], t[2]});
+        result.meshes.push_back(std::move(mesh));
+    }
+    return result;
+}
+
+}  // namespace shade16::host

@@ -1,0 +1,45 @@
+// The three errors, kept apart: (i) vertex colours on the same integers, against the tier's promise; (ii) pixels before
+// rounding, the reference given the engine's own snapped vertices, against promise and stepping bound; (iii) the picture
+// end to end against one drawn independently, reported and not promised.
+#pragma once
+
+#include <string>
+
+#include "host_sim/reference/pipeline.hpp"
+#include "shade16/pipeline/workspace.hpp"
+
+namespace shade16::host {
+
+/// Errors in levels against their bounds.
+struct ErrorFigures {
+    double largest = 0, sum = 0;
+    double largest_of_bound = 0;  // the largest share of its bound that an error used up; above 1 is a broken promise
+    std::size_t count = 0;
+
+    void add(double error, double bound);
+    double mean() const { return count == 0 ? 0 : sum / static_cast<double>(count); }
+    bool holds() const { return largest_of_bound <= 1; }
+};
+
+struct Comparison {
+    std::string tier{};
+    double promise_to_128 = 0, promise_to_1000 = 0;
+    ErrorFigures vertices{}, pixels{};
+    std::size_t beside_gate = 0;     // vertices where either side of the step at N.L = 0 was accepted
+    std::size_t clipped_pixels = 0;  // of clipped triangles: not among `pixels`
+    ErrorFigures picture{};          // bound 0: reported only
+    std::size_t covered_by_one = 0, covered_by_both = 0;
+
+    /// Promises held, and the reference did differ: one that never differs is not compared with.
+    bool holds() const { return vertices.holds() && pixels.holds() && vertices.largest > 0; }
+};
+
+/// Adds one frame to a comparison. `exact` has the scene's own quantised meshes, `original` the file's.
+template <PrecisionTier Tier>
+void compare_frame(Comparison& result, const reference::Scene& exact, const reference::Scene& original, const Frame& frame, Viewport viewport);
+
+extern template void compare_frame<lowp>(Comparison&, const reference::Scene&, const reference::Scene&, const Frame&, Viewport);
+extern template void compare_frame<mediump>(Comparison&, const reference::Scene&, const reference::Scene&, const Frame&, Viewport);
+extern template void compare_frame<highp>(Comparison&, const reference::Scene&, const reference::Scene&, const Frame&, Viewport);
+
+}  // namespace shade16::host
