@@ -28,6 +28,9 @@ foreach(group IN ITEMS unit accuracy raster system)
   endif()
 endforeach()
 
-if(TARGET system_tests AND TARGET host_sim_library)
-  target_link_libraries(system_tests PRIVATE host_sim_library)
-endif()
+# These compare the engine with the reference, or test the simulator itself.
+foreach(group IN ITEMS accuracy system)
+  if(TARGET ${group}_tests AND TARGET host_sim_library)
+    target_link_libraries(${group}_tests PRIVATE host_sim_library)
+  endif()
+endforeach()

@@ -15,7 +15,7 @@ decltype(auto) with_tier(std::string_view name, Use&& use) {
     if (name == lowp::name) return use(lowp{});
     if (name == mediump::name) return use(mediump{});
     if (name == highp::name) return use(highp{});
-    throw input_error("--tier {}: expected lowp, mediump or highp", name);
+    throw input_error("--tier {}: expected lowp, mediump or highp.", name);
 }
 
 /// Calls `use(format{})` with the format of that name.
@@ -24,7 +24,7 @@ decltype(auto) with_format(std::string_view name, Use&& use) {
     if (name == Rgb565::name) return use(Rgb565{});
     if (name == Rgb565Swapped::name) return use(Rgb565Swapped{});
     if (name == Rgb888::name) return use(Rgb888{});
-    throw input_error("--format {}: expected rgb565, rgb565_swapped or rgb888", name);
+    throw input_error("--format {}: expected rgb565, rgb565_swapped or rgb888.", name);
 }
 
 /// An 8-bit code of a pixel's channel, rounded.

@@ -78,7 +78,7 @@ TEST(AtomicFile, more_unfinished_files_than_are_remembered_still_vanish) {
     const ScratchDirectory scratch;
     {
         std::vector<std::unique_ptr<OutputStream>> files;
-        for (int i = 0; i < 40; ++i) files.push_back(open_output(scratch.path("f" + std::to_string(i))));
+        for (int i = 0; i < 40; ++i) files.push_back(open_output(scratch.path(fmt::format("f{}", i))));
         EXPECT_EQ(scratch.names().size(), 40u);
     }
     EXPECT_THAT(scratch.names(), IsEmpty());
@@ -112,7 +112,8 @@ TEST(DirectStream, a_device_is_written_and_not_replaced) {
     write_file("/dev/null", "gone");
     EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
     if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "This system has no /dev/full.";
-    EXPECT_THAT(complaint([] { write_file("/dev/full", "x"); }), StartsWith("3: /dev/full: cannot be written: No space left"));
+    EXPECT_THAT(complaint([] { write_file("/dev/full", "x"); }),
+                StartsWith("3: /dev/full: cannot be written: No space left"));
 }
 
 /// Standard output is the given descriptor while this lives.

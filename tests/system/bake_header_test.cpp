@@ -12,16 +12,22 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-BakedModel baked(const ScratchDirectory& scratch, const std::string& obj) { return quantize(import_obj(scratch.write("a.obj", obj))); }
+BakedModel baked(const ScratchDirectory& scratch, const std::string& obj) {
+    return quantize(import_obj(scratch.write("a.obj", obj)));
+}
 
-const std::string two_parts = "mtllib a.mtl\nv 0 0 0 1 0 0\nv 1 0 0\nv 0 1 0\nusemtl dark wood\nf 1 2 3\nusemtl dark-wood\nf 1 3 2\n";
-const std::string two_materials = "newmtl dark wood\nKd 1 0 0\nillum 0\nnewmtl dark-wood\nKa 0 0 0\nKs 1 1 1\nNs 76.8\n";
+const std::string two_parts =
+    "mtllib a.mtl\nv 0 0 0 1 0 0\nv 1 0 0\nv 0 1 0\nusemtl dark wood\nf 1 2 3\nusemtl dark-wood\nf 1 3 2\n";
+const std::string two_materials =
+    "newmtl dark wood\nKd 1 0 0\nillum 0\nnewmtl dark-wood\nKa 0 0 0\nKs 1 1 1\nNs 76.8\n";
 
 /// Compiles the header as firmware would; the file also checks `assertions` at compile time.
-void expect_compiles(const ScratchDirectory& scratch, const std::string& compiler, const std::string& header, const std::string& assertions) {
+void expect_compiles(const ScratchDirectory& scratch, const std::string& compiler, const std::string& header,
+                     const std::string& assertions) {
     scratch.write("mesh.hpp", header);
     const std::string source = scratch.write("use.cpp", "#include \"mesh.hpp\"\n#include \"mesh.hpp\"\n" + assertions);
-    const std::string command = compiler + " -std=c++20 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -fsyntax-only -I " +
+    const std::string command = compiler +
+                                " -std=c++20 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -fsyntax-only -I " +
                                 (source_directory() / "core/include").string() + " " + source + " 2>&1";
     EXPECT_EQ(std::system(command.c_str()), 0) << compiler;
 }
@@ -33,17 +39,21 @@ TEST_P(BakeHeaderCompiles, with_the_bits_that_were_measured) {
     const ScratchDirectory scratch;
     const BakedModel teapot = quantize(import_obj((source_directory() / "assets/teapot.obj").string()));
     const BakedPart& part = teapot.parts[0];
-    std::string assertions = fmt::format("static_assert(assets::teapot.positions.count == {});\nstatic_assert(assets::teapot.triangles.count == {});\n"
-                                         "static_assert(assets::teapot.centre.y.raw == {});\nstatic_assert(assets::teapot_material.shininess.raw == {});\n",
-                                         part.positions.size(), part.triangles.size(), teapot.centre.y.raw, part.material.shininess.raw);
+    std::string assertions = fmt::format(
+        "static_assert(assets::teapot.positions.count == {});\nstatic_assert(assets::teapot.triangles.count == {});\n"
+        "static_assert(assets::teapot.centre.y.raw == {});\nstatic_assert(assets::teapot_material.shininess.raw == "
+        "{});\n",
+        part.positions.size(), part.triangles.size(), teapot.centre.y.raw, part.material.shininess.raw);
     for (std::size_t i : {std::size_t{0}, std::size_t{100}, part.positions.size() - 1})
-        assertions += fmt::format("static_assert(assets::teapot.positions[{0}].x == {1} && assets::teapot.normals[{0}].z.raw == {2});\n", i,
-                                  part.positions[i].x, part.normals[i].z.raw);
+        assertions += fmt::format(
+            "static_assert(assets::teapot.positions[{0}].x == {1} && assets::teapot.normals[{0}].z.raw == {2});\n", i,
+            part.positions[i].x, part.normals[i].z.raw);
     expect_compiles(scratch, GetParam(), bake_header(teapot, "teapot"), assertions);
 
     scratch.write("a.mtl", two_materials);
     expect_compiles(scratch, GetParam(), bake_header(baked(scratch, two_parts), "2 chairs"),
-                    "static_assert(assets::mesh_2_chairs_dark_wood.colors[0].r.raw == 65535 && assets::mesh_2_chairs_dark_wood_material.unlit);\n"
+                    "static_assert(assets::mesh_2_chairs_dark_wood.colors[0].r.raw == 65535 && "
+                    "assets::mesh_2_chairs_dark_wood_material.unlit);\n"
                     "static_assert(assets::mesh_2_chairs_dark_wood_2_material.ambient.given);\n"
                     "static_assert(assets::mesh_2_chairs_dark_wood_2_material.specular == shade16::white);\n");
 }
@@ -53,8 +63,10 @@ INSTANTIATE_TEST_SUITE_P(, BakeHeaderCompiles, testing::Values("g++", "clang++",
 TEST(BakeHeader, says_what_it_is_and_how_it_was_made_without_a_path) {
     const ScratchDirectory scratch;
     const std::string text = bake_header(baked(scratch, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "tri");
-    EXPECT_THAT(text, testing::StartsWith("// Made by: shade16 bake a.obj -o tri.hpp\n// 3 vertices, 1 triangles, 42 bytes of flash."));
-    EXPECT_THAT(text, HasSubstr("inline constexpr shade16::Position16 tri_positions[] = {\n    {0, 0, 0}, {16384, 0, 0}, {0, 16384, 0},\n};\n"));
+    EXPECT_THAT(text, testing::StartsWith(
+                          "// Made by: shade16 bake a.obj -o tri.hpp\n// 3 vertices, 1 triangles, 42 bytes of flash."));
+    EXPECT_THAT(text, HasSubstr("inline constexpr shade16::Position16 tri_positions[] = {\n    {0, 0, 0}, {16384, 0, "
+                                "0}, {0, 16384, 0},\n};\n"));
     EXPECT_THAT(text, HasSubstr("inline constexpr shade16::Mesh tri{\n"));
     EXPECT_THAT(text, Not(HasSubstr(scratch.path(""))));
 }

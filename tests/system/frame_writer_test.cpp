@@ -27,8 +27,10 @@ void write_frames(const std::string& path, const std::vector<Image>& frames) {
 TEST(FrameWriter, y4m_has_a_header_and_three_planes_a_frame) {
     const ScratchDirectory scratch;
     write_frames(scratch.path("a.y4m"), {grey(2, 1, 0), grey(2, 1, 200)});
-    EXPECT_EQ(scratch.read("a.y4m"), "YUV4MPEG2 W2 H1 F30:1 Ip A1:1 C444 XCOLORRANGE=FULL\n"
-                                     "FRAME\n" + std::string("\0\0\x80\x80\x80\x80", 6) + "FRAME\n\xC8\xC8\x80\x80\x80\x80");
+    EXPECT_EQ(scratch.read("a.y4m"),
+              "YUV4MPEG2 W2 H1 F30:1 Ip A1:1 C444 XCOLORRANGE=FULL\n"
+              "FRAME\n" +
+                  std::string("\0\0\x80\x80\x80\x80", 6) + "FRAME\n\xC8\xC8\x80\x80\x80\x80");
 }
 
 TEST(FrameWriter, y4m_primaries_are_bt601_full_range) {
@@ -41,12 +43,16 @@ TEST(FrameWriter, y4m_primaries_are_bt601_full_range) {
 TEST(FrameWriter, every_rgb565_colour_survives_y4m_and_ffmpeg) {
     if (!has_program("ffmpeg")) GTEST_SKIP() << "ffmpeg is not installed.";
     const ScratchDirectory scratch;
-    const auto channel = [](unsigned int code, unsigned int bits) { return static_cast<uint8_t>((code << (8 - bits)) | (code >> (2 * bits - 8))); };
+    const auto channel = [](unsigned int code, unsigned int bits) {
+        return static_cast<uint8_t>((code << (8 - bits)) | (code >> (2 * bits - 8)));
+    };
     Image all{256, 256, {}, {}};
     for (unsigned int color = 0; color < 65536; ++color)
-        for (const uint8_t c : {channel(color >> 11, 5), channel(color >> 5 & 63, 6), channel(color & 31, 5)}) all.rgb.push_back(c);
+        for (const uint8_t c : {channel(color >> 11, 5), channel(color >> 5 & 63, 6), channel(color & 31, 5)})
+            all.rgb.push_back(c);
     write_frames(scratch.path("a.y4m"), {all});
-    const std::string command = "ffmpeg -v error -i " + scratch.path("a.y4m") + " -pix_fmt rgb24 -f rawvideo " + scratch.path("back.rgb");
+    const std::string command =
+        "ffmpeg -v error -i " + scratch.path("a.y4m") + " -pix_fmt rgb24 -f rawvideo " + scratch.path("back.rgb");
     ASSERT_EQ(std::system(command.c_str()), 0);
 
     const std::string back = scratch.read("back.rgb");
@@ -90,15 +96,17 @@ TEST(FrameWriter, raw_is_the_targets_bytes) {
 TEST(FrameWriter, raw_of_another_pixel_size_is_refused_and_leaves_no_file) {
     const ScratchDirectory scratch;
     const std::string said = complaint([&] { write_frames(scratch.path("a.rgb565"), {{2, 2, {}, {1, 2, 3, 4}}}); });
-    EXPECT_EQ(said, "2: " + scratch.path("a.rgb565") + ": .rgb565 holds 8 bytes a frame, but this target's frame has 4; "
-                    "expected a 16-bit pixel format.");
+    EXPECT_EQ(said, "2: " + scratch.path("a.rgb565") +
+                        ": .rgb565 holds 8 bytes a frame, but this target's frame has 4; "
+                        "expected a 16-bit pixel format.");
     EXPECT_THAT(scratch.names(), IsEmpty());
 }
 
 TEST(FrameWriter, an_unknown_ending_lists_the_known_ones) {
     const ScratchDirectory scratch;
     EXPECT_EQ(complaint([] { open_writer("spin.gif", 1, 1, 1, 30); }),
-              "2: spin.gif: the ending '.gif' names no known format; expected .y4m, .png or .rgb565, or '-' for Y4M on standard output.");
+              "2: spin.gif: the ending '.gif' names no known format; expected .y4m, .png or .rgb565, or '-' for Y4M on "
+              "standard output.");
     EXPECT_THAT(complaint([] { open_writer("spin", 1, 1, 1, 30); }), HasSubstr("a name without an ending"));
 }
 
@@ -111,8 +119,9 @@ TEST(FrameWriter, an_abandoned_stream_leaves_no_file) {
 TEST(FrameWriter, a_missing_directory_is_an_io_error) {
     const ScratchDirectory scratch;
     for (const char* name : {"no/a.y4m", "no/a.png", "no/a.rgb565"})
-        EXPECT_THAT(complaint([&] { write_frames(scratch.path(name), {grey(2, 2, 1)}); }),
-                    testing::AllOf(testing::StartsWith("3: "), HasSubstr("cannot be created: No such file or directory")));
+        EXPECT_THAT(
+            complaint([&] { write_frames(scratch.path(name), {grey(2, 2, 1)}); }),
+            testing::AllOf(testing::StartsWith("3: "), HasSubstr("cannot be created: No such file or directory")));
     EXPECT_THAT(scratch.names(), IsEmpty());
 }
 

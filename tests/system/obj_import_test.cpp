@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "host_sim/model/polygon.hpp"
-#include "tests/system/scratch_directory.hpp"
+#include "tests/system/imported.hpp"
 
 namespace shade16::host {
 namespace {
@@ -14,12 +14,6 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-Model imported(const std::string& obj, const std::string& mtl = "") {
-    const ScratchDirectory scratch;
-    if (!mtl.empty()) scratch.write("a.mtl", mtl);
-    return import_obj(scratch.write("a.obj", obj));
-}
 
 /// The sentence after the scratch directory's name.
 std::string refused(std::string_view obj) {
@@ -40,8 +34,6 @@ double area(const Model& model) {
     return sum;
 }
 
-const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-
 TEST(ObjImport, the_teapot_is_welded) {
     const Model model = import_obj((source_directory() / "assets/teapot.obj").string());
     EXPECT_EQ(model.positions.size(), 529u);
@@ -57,7 +49,8 @@ TEST(ObjImport, a_missing_normal_is_the_sum_of_unit_face_normals_whatever_their_
     // At the origin meet a face of area 0.5 facing +z and one of area 50 facing +x, both with vertices of their own.
     const Model model = imported("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv 0 10 0\nv 0 0 10\nf 1 2 3\nf 4 5 6\n");
     EXPECT_EQ(model.positions.size(), 5u) << "the origin is one vertex";
-    const auto origin = std::find(model.positions.begin(), model.positions.end(), Double3{0, 0, 0}) - model.positions.begin();
+    const auto origin =
+        std::find(model.positions.begin(), model.positions.end(), Double3{0, 0, 0}) - model.positions.begin();
     const Double3 normal = model.normals[static_cast<std::size_t>(origin)];
     EXPECT_NEAR(normal[0], std::sqrt(0.5), 1e-15);
     EXPECT_NEAR(normal[1], 0, 1e-15);
@@ -65,8 +58,9 @@ TEST(ObjImport, a_missing_normal_is_the_sum_of_unit_face_normals_whatever_their_
 }
 
 TEST(ObjImport, a_quad_counts_once_in_a_normal) {
-    const Model model = imported("v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
-                                 "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+    const Model model = imported(
+        "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
+        "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
     ASSERT_EQ(model.positions.size(), 8u);
     for (std::size_t i = 0; i < 8; ++i) EXPECT_NEAR(dot(model.normals[i], model.positions[i]), std::sqrt(3.0), 1e-14);
 }
@@ -105,7 +99,9 @@ TEST(ObjImport, a_concave_quad_is_split_inside) {
 
 TEST(ObjImport, concave_polygons_keep_their_area_and_direction) {
     // A comb with three teeth in the plane x = 7, clockwise and anticlockwise, with a vertex in the middle of an edge.
-    const std::string comb = "v 7 0 0\nv 7 5 0\nv 7 5 4\nv 7 4 4\nv 7 4 1\nv 7 3 1\nv 7 3 4\nv 7 2 4\nv 7 2 1\nv 7 1 1\nv 7 1 4\nv 7 0 4\nv 7 0 2\n";
+    const std::string comb =
+        "v 7 0 0\nv 7 5 0\nv 7 5 4\nv 7 4 4\nv 7 4 1\nv 7 3 1\nv 7 3 4\nv 7 2 4\nv 7 2 1\nv 7 1 1\nv 7 1 4\nv 7 0 4\nv "
+        "7 0 2\n";
     for (const char* face : {"f 1 2 3 4 5 6 7 8 9 10 11 12 13\n", "f 13 12 11 10 9 8 7 6 5 4 3 2 1\n"}) {
         const Model model = imported(comb + face);
         EXPECT_EQ(model.parts[0].triangles.size(), 11u);
@@ -116,7 +112,9 @@ TEST(ObjImport, concave_polygons_keep_their_area_and_direction) {
 }
 
 TEST(ObjImport, reads_what_exporters_write) {
-    const Model model = imported("\xEF\xBB\xBF# BOM\r\nv +0 .0 -0.\r\n\tv 1e0 0 0 1.0\r\nv 0 \\\r\n 1 0\r\no x\r\ng y\r\ns 1\r\nvt 0 0\r\nf -3/1 2/1/ 3// \r\nl 1 2\r\np 1\r\n");
+    const Model model = imported(
+        "\xEF\xBB\xBF# BOM\r\nv +0 .0 -0.\r\n\tv 1e0 0 0 1.0\r\nv 0 \\\r\n 1 0\r\no x\r\ng y\r\ns 1\r\nvt 0 0\r\nf "
+        "-3/1 2/1/ 3// \r\nl 1 2\r\np 1\r\n");
     EXPECT_EQ(model.positions, (std::vector<Double3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
     EXPECT_THAT(model.warnings, ElementsAre("2 lines, points and curves are not drawn."));
     EXPECT_EQ(imported("v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3").positions.size(), 3u) << "old Macintosh line ends";
@@ -131,111 +129,57 @@ TEST(ObjImport, colours_are_kept_unless_all_white) {
     EXPECT_THAT(model.colors, Contains(Double3{1, 1, 1}));
 }
 
-TEST(ObjImport, materials_become_parts_in_the_order_of_use) {
-    const Model model = imported("mtllib a.mtl\n" + triangle + "usemtl second one\nf 1 2 3\nusemtl first\nf 1 3 2\nusemtl second one\nf 1 2 3\n",
-                                 "newmtl first\nKd 1 0 0\nnewmtl  second   one \nKd 0 0 1\n");
-    ASSERT_EQ(model.parts.size(), 2u);
-    EXPECT_EQ(model.parts[0].name, "second one");
-    EXPECT_EQ(model.parts[0].material.diffuse, rgb(0x0000FF));
-    EXPECT_EQ(model.parts[0].triangles.size(), 2u);
-    EXPECT_EQ(model.parts[1].material.diffuse, rgb(0xFF0000));
-}
-
-ModelPart part_with(const std::string& mtl, std::vector<std::string>* warnings = nullptr) {
-    const Model model = imported("mtllib a.mtl\nusemtl m\n" + triangle + "f 1 2 3\n", "newmtl m\n" + mtl);
-    if (warnings) *warnings = model.warnings;
-    return model.parts.at(0);
-}
-
-TEST(ObjImport, illum_decides_which_terms_there_are) {
-    const std::string colors = "Ka 0.2 0.2 0.2\nKd 0 1 0\nKs 1 1 1\nKe 0 0 1\nNs 250\n";
-    EXPECT_TRUE(part_with(colors + "illum 0\n").material.unlit);
-    EXPECT_EQ(part_with(colors + "illum 1\n").material.specular, black);
-    for (const char* all : {"", "illum 2\n", "illum 3\n"}) {
-        const Material material = part_with(colors + all).material;
-        EXPECT_FALSE(material.unlit);
-        EXPECT_EQ(material.specular, white);
-        EXPECT_EQ(material.emissive, rgb(0x0000FF));
-        EXPECT_EQ(material.ambient_color(), rgb(0x333333));
-        EXPECT_EQ(material.shininess, Q16(250));
-    }
-}
-
-TEST(ObjImport, ambient_follows_diffuse_when_absent_or_one_but_not_when_black) {
-    EXPECT_EQ(part_with("Kd 0 1 0\n").material.ambient_color(), rgb(0x00FF00));
-    EXPECT_EQ(part_with("Kd 0 1 0\nKa 1 1 1\n").material.ambient_color(), rgb(0x00FF00));
-    EXPECT_EQ(part_with("Kd 0 1 0\nKa 0 0 0\n").material.ambient_color(), black);
-}
-
-TEST(ObjImport, what_cannot_be_drawn_is_said_once) {
-    std::vector<std::string> warnings;
-    const ModelPart part = part_with("Kd 2 0 0\nKs 1 1 1\nNs 5000\nd 0.5\nillum 4\nmap_Kd wall.png\n", &warnings);
-    EXPECT_EQ(part.material.shininess, Q16(1000));
-    EXPECT_EQ(part.material.diffuse, rgb(0xFF0000));
-    EXPECT_THAT(part.notes, ElementsAre("map_Kd wall.png", "Transparency (d) 0.5", "illum 4"));
-    EXPECT_THAT(warnings, ElementsAre("A colour outside of 0 to 1 was clamped (material m).",
-                                      "Ns 5000 is drawn as Ns 1000, as exponents go from 1 to 1000 (material m).",
-                                      "map_Kd is not drawn (material m).", "Transparency (d) is not drawn (material m).",
-                                      "illum 4 is drawn as illum 2 (material m)."));
-    part_with("Ns 0\nKs 0 0 0\n", &warnings);
-    EXPECT_THAT(warnings, IsEmpty()) << "an exponent without a specular colour does not matter";
-}
-
-TEST(ObjImport, a_missing_library_is_a_warning_and_grey) {
-    const Model model = imported("mtllib gone.mtl\nusemtl m\n" + triangle + "f 1 2 3\n");
-    EXPECT_THAT(model.warnings, ElementsAre("The material library 'gone.mtl' cannot be read; what it describes is drawn in neutral grey."));
-    EXPECT_EQ(model.parts[0].material.diffuse, rgb(0xCCCCCC));
-    EXPECT_EQ(model.parts[0].material.specular, rgb(0x666666));
-    EXPECT_EQ(model.parts[0].material.shininess, Q16(32));
-    const Model other = imported("mtllib a.mtl\nusemtl m\n" + triangle + "f 1 2 3\n", "newmtl n\n");
-    EXPECT_THAT(other.warnings, ElementsAre("The material 'm' is in no material library; it is drawn in neutral grey."));
-}
-
-TEST(ObjImport, a_material_without_a_name_is_still_a_material) {
-    const Model model = imported("mtllib a.mtl\n" + triangle + "usemtl \nf 1 2 3\n", "newmtl \nKd 1 0 0\n");
-    EXPECT_EQ(model.parts[0].name, "unnamed");
-    EXPECT_EQ(model.parts[0].material.diffuse, rgb(0xFF0000));
-}
-
 TEST(ObjImport, missing_and_unreadable_files_are_refused) {
     const ScratchDirectory scratch;
-    EXPECT_EQ(complaint([&] { import_obj(scratch.path("no.obj")); }), "2: " + scratch.path("no.obj") + ": cannot be opened: No such file or directory.");
+    EXPECT_EQ(complaint([&] { import_obj(scratch.path("no.obj")); }),
+              "2: " + scratch.path("no.obj") + ": cannot be opened: No such file or directory.");
     EXPECT_THAT(complaint([&] { import_obj(scratch.path(".")); }), HasSubstr("is a directory; expected a text file."));
-    EXPECT_THAT(refused(std::string_view("\xFE\xFF\0v\0 ", 6)), HasSubstr("is not a text file in ASCII or UTF-8; expected one"));
+    EXPECT_THAT(refused(std::string_view("\xFE\xFF\0v\0 ", 6)),
+                HasSubstr("is not a text file in ASCII or UTF-8; expected one"));
 }
 
 TEST(ObjImport, a_model_without_faces_is_refused) {
     EXPECT_EQ(refused(""), "a.obj: has no faces; expected at least one line such as 'f 1 2 3'.");
     EXPECT_EQ(refused(triangle + "l 1 2 3\n"), "a.obj: has no faces; expected at least one line such as 'f 1 2 3'.");
-    EXPECT_EQ(refused(triangle + "f 1 1 1\n"), "a.obj: has 1 faces, but none has an area; expected at least one that does.");
+    EXPECT_EQ(refused(triangle + "f 1 1 1\n"),
+              "a.obj: has 1 faces, but none has an area; expected at least one that does.");
 }
 
 TEST(ObjImport, indices_out_of_range_are_refused_with_their_line) {
-    EXPECT_EQ(refused(triangle + "f 1 2 4\n"), "a.obj, line 4: a face refers to vertex 4; expected 1 to 3, as the file has 3.");
-    EXPECT_EQ(refused(triangle + "f 1 2 0\n"), "a.obj, line 4: a face refers to vertex 0; expected 1 to 3, as the file has 3.");
-    EXPECT_EQ(refused(triangle + "f -4 2 3\n"), "a.obj, line 4: a face refers to vertex -4; expected -1 to -3, as 3 precede it.");
+    EXPECT_EQ(refused(triangle + "f 1 2 4\n"),
+              "a.obj, line 4: a face refers to vertex 4; expected 1 to 3, as the file has 3.");
+    EXPECT_EQ(refused(triangle + "f 1 2 0\n"),
+              "a.obj, line 4: a face refers to vertex 0; expected 1 to 3, as the file has 3.");
+    EXPECT_EQ(refused(triangle + "f -4 2 3\n"),
+              "a.obj, line 4: a face refers to vertex -4; expected -1 to -3, as 3 precede it.");
     EXPECT_EQ(refused(triangle + "f 99999999999999999999 2 3\n"),
               "a.obj, line 4: a face refers to vertex 99999999999999999999; expected 1 to 3, as the file has 3.");
-    EXPECT_THAT(refused(triangle + "f 1//1 2//1 3//1\n"), HasSubstr("line 4: a face refers to normal 1; expected 1 to 0"));
+    EXPECT_THAT(refused(triangle + "f 1//1 2//1 3//1\n"),
+                HasSubstr("line 4: a face refers to normal 1; expected 1 to 0"));
     EXPECT_THAT(refused(triangle + "f 1/2 2/1 3/1\n"), HasSubstr("texture coordinate 2"));
-    EXPECT_EQ(refused(triangle + "f 1 2 three\n"), "a.obj, line 4: 'three' is no corner of a face; expected a form such as 7, 7/2, 7//3 or 7/2/3.");
-    EXPECT_THAT(refused(triangle + "f 1/1/1/1 2 3\n"), HasSubstr("is no corner of a face"));
+    EXPECT_EQ(refused(triangle + "f 1 2 three\n"),
+              "a.obj, line 4: 'three' is no corner of a face; expected a form such as 7, 7/2, 7//3 or 7/2/3.");
+    EXPECT_THAT(refused(triangle + "f 1//1/1 2 3\n"), HasSubstr("is no corner of a face"));
 }
 
 TEST(ObjImport, coordinates_that_are_no_or_huge_numbers_are_refused_with_their_line) {
     const std::string rest = "v 1 0 0\nv 0 1 0\nf 1 2 3\n";
-    EXPECT_EQ(refused("v 0 nan 0\n" + rest), "a.obj, line 1: the coordinate 'nan' is not a number; expected one such as -1.5.");
-    EXPECT_EQ(refused("v 0 0,5 0\n" + rest), "a.obj, line 1: the coordinate '0,5' is not a number; expected one such as -1.5.");
+    EXPECT_EQ(refused("v 0 nan 0\n" + rest),
+              "a.obj, line 1: the coordinate 'nan' is not a number; expected one such as -1.5.");
+    EXPECT_EQ(refused("v 0 0,5 0\n" + rest),
+              "a.obj, line 1: the coordinate '0,5' is not a number; expected one such as -1.5.");
     for (const char* huge : {"inf", "-inf", "1e999", "16384.1", "-1e30"})
         EXPECT_EQ(refused(std::string("v 0 0 ") + huge + "\n" + rest),
-                  std::string("a.obj, line 1: the coordinate '") + huge + "' is out of range; expected -16384 to 16384. Scale the model down.");
+                  std::string("a.obj, line 1: the coordinate '") + huge +
+                      "' is out of range; expected -16384 to 16384. Scale the model down.");
     EXPECT_EQ(refused("v 0 0\n" + rest), "a.obj, line 1: a vertex has 2 coordinates; expected three.");
 }
 
 TEST(ObjImport, a_face_of_too_many_corners_is_refused) {
     std::string face = "f";
     for (int i = 0; i < 256; ++i) face += " 1";
-    EXPECT_EQ(refused(triangle + face), "a.obj, line 4: a face has 256 corners; expected at most 255. Triangulate the model.");
+    EXPECT_EQ(refused(triangle + face),
+              "a.obj, line 4: a face has 256 corners; expected at most 255. Triangulate the model.");
 }
 
 }  // namespace

@@ -21,8 +21,9 @@ BakedModel baked(const std::string& obj) {
 
 BakedModel baked_teapot() { return quantize(import_obj((source_directory() / "assets/teapot.obj").string())); }
 
-const std::string box = "v -1 -2 -3\nv 1 -2 -3\nv 1 2 -3\nv -1 2 -3\nv -1 -2 3\nv 1 -2 3\nv 1 2 3\nv -1 2 3\n"
-                        "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+const std::string box =
+    "v -1 -2 -3\nv 1 -2 -3\nv 1 2 -3\nv -1 2 -3\nv -1 -2 3\nv 1 -2 3\nv 1 2 3\nv -1 2 3\n"
+    "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 
 TEST(Quantize, an_exact_mesh_stays_exact_about_its_origin) {
     const BakedModel model = baked(box);
@@ -59,7 +60,8 @@ TEST(Quantize, covers_the_whole_domain_and_refuses_nothing_in_it) {
 }
 
 TEST(Quantize, a_model_without_size_left_is_refused) {
-    const std::string said = complaint([] { baked("v 100 0 0\nv 100.00000000001 0 0\nv 100 0.00000000001 0\nf 1 2 3\n"); });
+    const std::string said =
+        complaint([] { baked("v 100 0 0\nv 100.00000000001 0 0\nv 100 0.00000000001 0\nf 1 2 3\n"); });
     EXPECT_THAT(said, HasSubstr("2: a.obj: is so small that nothing is left after rounding"));
 }
 
@@ -71,7 +73,8 @@ TEST(Quantize, triangles_that_lose_their_area_are_dropped_and_counted) {
 }
 
 TEST(Quantize, parts_share_the_lattice) {
-    const BakedModel model = baked("v 0.1 0 0\nv 1.1 0.7 0\nv 0.3 1.2 5.4\nv 0 0 0\nusemtl a\nf 1 2 3\nusemtl b\nf 1 2 4\n");
+    const BakedModel model =
+        baked("v 0.1 0 0\nv 1.1 0.7 0\nv 0.3 1.2 5.4\nv 0 0 0\nusemtl a\nf 1 2 3\nusemtl b\nf 1 2 4\n");
     ASSERT_EQ(model.parts.size(), 1u);  // no library: both are the default material
     const BakedModel teapot = baked_teapot();
     const Mesh mesh = mesh_of(teapot, 0);
@@ -87,7 +90,8 @@ TEST(Quantize, too_many_vertices_are_refused) {
     for (int i = 0; i < 22000; ++i)
         obj += fmt::format("v {0} 0 0\nv {0} 1 0\nv {0} 0 1\nf -3 -2 -1\n", i % 16000 + (i / 16000) * 0.5);
     const std::string said = complaint([&] { baked(obj); });
-    EXPECT_THAT(said, HasSubstr("2: a.obj: the part 'default' has 66000 different vertices; expected at most 65535, as indices have 16 bits."));
+    EXPECT_THAT(said, HasSubstr("2: a.obj: the part 'default' has 66000 different vertices; expected at most 65535, as "
+                                "indices have 16 bits."));
 }
 
 TEST(Quantize, the_order_is_good_for_a_small_cache_and_always_the_same) {
@@ -121,7 +125,9 @@ TEST(UnitNormal, is_never_farther_in_direction_than_plain_rounding_and_a_step_of
     for (int i = 0; i < 20000; ++i) {
         const Double3 unit = *direction({component(random), component(random), component(random)});
         const Normal14 normal = nearest_normal(unit);
-        const auto plain = [&](std::size_t k) { return Unit14::from_raw(static_cast<int32_t>(std::lround(unit[k] * 16384))); };
+        const auto plain = [&](std::size_t k) {
+            return Unit14::from_raw(static_cast<int32_t>(std::lround(unit[k] * 16384)));
+        };
         const double angle = angle_degrees(unit, normal);
         ASSERT_LE(angle, angle_degrees(unit, {plain(0), plain(1), plain(2)}));
         ASSERT_LE(std::fabs(std::sqrt(static_cast<double>(dot(normal, normal))) - 16384), 1);

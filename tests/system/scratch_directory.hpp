@@ -1,6 +1,7 @@
 // A directory of its own for each test, gone afterwards; and the rule for tests that need a program.
 #pragma once
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -40,7 +41,8 @@ public:
 
     std::vector<std::string> names() const {
         std::vector<std::string> all;
-        for (const auto& entry : std::filesystem::directory_iterator(path_)) all.push_back(entry.path().filename().string());
+        for (const auto& entry : std::filesystem::directory_iterator(path_))
+            all.push_back(entry.path().filename().string());
         std::sort(all.begin(), all.end());
         return all;
     }
@@ -68,7 +70,8 @@ inline std::filesystem::path source_directory() {
 inline bool has_program(const std::string& name) {
     if (std::system(("command -v " + name + " >/dev/null 2>&1").c_str()) == 0) return true;
     const char* all = std::getenv("SHADE16_REQUIRE_ALL");
-    EXPECT_FALSE(all != nullptr && std::string_view(all) == "1") << name << " is not installed, and SHADE16_REQUIRE_ALL is set.";
+    EXPECT_FALSE(all != nullptr && std::string_view(all) == "1")
+        << name << " is not installed, and SHADE16_REQUIRE_ALL is set.";
     return false;
 }
 

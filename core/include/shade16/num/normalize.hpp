@@ -42,24 +42,39 @@ SHADE16_ONCE constexpr Normal14 normalize14(IVec3 v) {
     return {component(v.x), component(v.y), component(v.z)};
 }
 
-/// v / |v| in 32 bits.
-/// Range   any v; a zero vector gives a zero vector.
-/// Error   normalize30_max_error_ulp.
-/// Cost    M0+ 366, M3 137 cycles (prototype figures).
-SHADE16_ONCE constexpr Normal30 normalize30(IVec3 v) {
-    const uint32_t m = detail::magnitudes(v);
+namespace detail {
+/// v / |v| in 32 bits, by `Steps` Newton steps.
+template <int Steps>
+SHADE16_ONCE constexpr Normal30 normalize_wide(IVec3 v) {
+    const uint32_t m = magnitudes(v);
     if (m == 0) return {};
-    v = detail::with_top_bit_at(v, m, 29);
+    v = with_top_bit_at(v, m, 29);
     const uint64_t s = static_cast<uint64_t>(multiply(v.x, v.x)) + static_cast<uint64_t>(multiply(v.y, v.y)) +
                        static_cast<uint64_t>(multiply(v.z, v.z));
     const bool large = (s >> 60) != 0;
-    const uint32_t r = rsqrt_newton(static_cast<uint32_t>(large ? s >> 30 : s >> 28));
+    const uint32_t mantissa = static_cast<uint32_t>(large ? s >> 30 : s >> 28);
+    uint32_t r = rsqrt_newton(mantissa);
+    if constexpr (Steps == 2) r = rsqrt_step(r, mantissa);
     const int shift = large ? 32 : 31;
     const auto component = [=](int32_t c) { return Q30::from_raw(shift_right_round(multiply(c, r), shift)); };
     return {component(v.x), component(v.y), component(v.z)};
 }
 
-/// v / |v| of a Q16 vector, as a user calls it.
-constexpr Normal30 normalize(Vec3 v) { return normalize30(raw(v)); }
+}  // namespace detail
+
+/// v / |v| in 32 bits.
+/// Range   any v; a zero vector gives a zero vector.
+/// Error   normalize30_max_error_ulp.
+/// Cost    M0+ 366, M3 137 cycles (prototype figures).
+constexpr Normal30 normalize30(IVec3 v) { return detail::normalize_wide<1>(v); }
+
+inline constexpr int32_t normalize_finely_max_error_ulp = 2;  // of Q30, a component
+
+/// The same with one more Newton step, for what is made once a frame and scaled up by distances: cameras, directions.
+/// Error   normalize_finely_max_error_ulp.
+constexpr Normal30 normalize_finely(IVec3 v) { return detail::normalize_wide<2>(v); }
+
+/// v / |v| of a Q16 vector, as a user calls it. Error: normalize_finely_max_error_ulp.
+constexpr Normal30 normalize(Vec3 v) { return normalize_finely(raw(v)); }
 
 }  // namespace shade16

@@ -16,7 +16,7 @@ SHADE16_INLINE constexpr int32_t first_centre(int32_t v) { return (v + 7) >> 4; 
 class EdgeWalker {
 public:
     constexpr EdgeWalker() = default;
-    SHADE16_INLINE constexpr EdgeWalker(int32_t x, int32_t y, int32_t dx, int32_t dy, int32_t row) {
+    SHADE16_ONCE constexpr EdgeWalker(int32_t x, int32_t y, int32_t dx, int32_t dy, int32_t row) {
         const uint32_t height = static_cast<uint32_t>(dy);
         whole_ = floor_quotient(dx, height);
         rest_ = static_cast<uint32_t>(dx - whole_ * dy);  // dx / dy = whole + rest / dy, 0 <= rest < dy

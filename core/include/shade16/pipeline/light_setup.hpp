@@ -146,7 +146,7 @@ private:
         steps.exponent = static_cast<int16_t>(steps.exponent + bits);
         return steps;
     }
-    constexpr Normal30 to_object_direction(const Normal30& world) const { return normalize30(rotate(to_object, raw(world))); }
+    constexpr Normal30 to_object_direction(const Normal30& world) const { return normalize_finely(rotate(to_object, raw(world))); }
     SHADE16_ONCE constexpr LatticePoint from_scaled(const BlockVector& v) const {
         return as_lattice_point((v - component_product(pose.scale, mesh.centre)) * inverse_scale);
     }
@@ -196,7 +196,7 @@ constexpr ObjectLight<Tier> make_object_light(const Camera& camera, const Mat3& 
         return o;
     }
     Normal30 direction = normalize(light.position);
-    if (light.space == Space::view) direction = normalize30(rotate(to_world, raw(direction)));
+    if (light.space == Space::view) direction = normalize_finely(rotate(to_world, raw(direction)));
     if (light.space != Space::object) direction = frame.direction(direction);
     o.direction = UnitVectorOf<Tier>::from(direction);
     o.half = UnitVectorOf<Tier>::from(half_vector(direction, frame.direction(view_rotation.row[2])));

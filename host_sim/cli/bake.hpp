@@ -1,0 +1,11 @@
+// shade16 bake: a model to a C++ header.
+#pragma once
+
+#include "host_sim/cli/options.hpp"
+#include "host_sim/error.hpp"
+
+namespace shade16::host {
+
+ExitCode bake(const BakeOptions& options);
+
+}  // namespace shade16::host

@@ -1,0 +1,150 @@
+// The only file that includes CLI11, which takes a compiler ten seconds.
+#include "host_sim/cli/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "host_sim/cli/help_text.hpp"
+#include "host_sim/cli/usage.hpp"
+#include "host_sim/cli/values.hpp"
+#include "host_sim/error.hpp"
+
+namespace shade16::host {
+
+namespace {
+
+using Setter = std::function<void(const std::string&)>;
+
+/// An option with a value, which `set` understands. Given twice, the last one counts.
+CLI::Option* add(CLI::App& app, const char* name, const char* type, const char* help, const Setter& set) {
+    return app.add_option_function<std::string>(name, set, help)
+        ->type_name(type)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+}
+
+void add_model(CLI::App& app, std::string& model) {
+    app.add_option("MODEL.obj", model, "a Wavefront OBJ file")->required()->type_name("");
+}
+
+template <class Options>
+void add_look(CLI::App& app, Options& o) {
+    add(app, "--size", "WxH", "pixels [320x240]", [&](const std::string& word) { o.size = size_of(word); });
+    add(app, "--shading", "WORD", "flat or gouraud [the material's]",
+        [&](const std::string& word) { o.shading = shading_of(word); });
+}
+
+void add_render(CLI::App& app, RenderOptions& o) {
+    add_model(app, o.model);
+    add(app, "-o,--output", "OUT", ".y4m, .png or .rgb565 (raw pixels); '-' is Y4M on standard output",
+        [&](const std::string& path) {
+            o.kind = kind_of(path);
+            o.output = path;
+        })
+        ->required();
+    add(app, "--frames", "N", "of one turn [1; 90 for Y4M]",
+        [&](const std::string& word) { o.frames = whole_number("--frames", word, 1, 100'000); });
+    add(app, "--fps", "N", "frames a second, noted in Y4M [30]",
+        [&](const std::string& word) { o.fps = whole_number("--fps", word, 1, 1000); });
+    add(app, "--tier", "WORD", "lowp, mediump or highp [mediump]",
+        [&](const std::string& word) { o.tier = tier_of(word); });
+    add(app, "--format", "WORD", "the display's: rgb565, rgb565_swapped or rgb888 [rgb565]",
+        [&](const std::string& word) { o.format = format_of(word); });
+    add(app, "--bands", "ROWS", "draw in bands of so many rows, as with little RAM [all at once]",
+        [&](const std::string& word) { o.band_rows = whole_number("--bands", word, 1, 2048); });
+    add(app, "--engine", "WORD", "fixed, or reference: double precision without tiers and bands [fixed]",
+        [&](const std::string& word) { o.engine = engine_of(word); });
+    add_look(app, o);
+    app.add_flag("--quiet", o.quiet, "print errors only");
+    app.add_flag("--verbose", o.verbose, "print what the fitted camera and lights came to");
+}
+
+void add_compare(CLI::App& app, CompareOptions& o) {
+    add_model(app, o.model);
+    add(app, "--tier", "WORD", "lowp, mediump or highp [all three]",
+        [&](const std::string& word) { o.tier = tier_of(word); });
+    add(app, "--frames", "N", "of one turn [8]",
+        [&](const std::string& word) { o.frames = whole_number("--frames", word, 1, 100'000); });
+    add_look(app, o);
+    app.add_flag("--quiet", o.quiet, "print no warnings and no progress");
+}
+
+void add_bake(CLI::App& app, BakeOptions& o) {
+    add_model(app, o.model);
+    add(app, "-o,--output", "HEADER", "the header to write; '-' is standard output", [&](const std::string& path) {
+        o.output = path;
+    })->required();
+    add(app, "--name", "NAME", "of the mesh in C++ [the header's]", [&](const std::string& name) { o.name = name; });
+    app.add_flag("--quiet", o.quiet, "print errors only");
+}
+
+class CommandLine {
+public:
+    CommandLine() {
+        add_render(*render_, render_options_);
+        add_compare(*compare_, compare_options_);
+        add_bake(*bake_, bake_options_);
+        app_.set_version_flag("--version", "shade16 " SHADE16_VERSION);
+        app_.require_subcommand(1);
+        for (CLI::App* app : {&app_, render_, compare_, bake_}) app->footer(exit_codes_help);
+    }
+
+    Command parse(int argc, const char* const* argv) {
+        try {
+            app_.parse(argc, argv);
+        } catch (const CLI::CallForHelp&) {
+            return Answer{app_.help()};
+        } catch (const CLI::CallForVersion& version) {
+            return Answer{version.what() + std::string("\n")};
+        } catch (const CLI::ParseError& error) {
+            throw input_error("{}", sentence(error));
+        }
+        if (render_->parsed()) return render_options_;
+        if (compare_->parsed()) return compare_options_;
+        return bake_options_;
+    }
+
+private:
+    const CLI::App& called() const {
+        for (const CLI::App* app : {render_, compare_, bake_})
+            if (app->parsed()) return *app;
+        return app_;
+    }
+
+    /// What CLI11 complains about, with what was expected. A word that nobody knows is named before anything that may
+    /// only be missing because of it.
+    std::string sentence(const CLI::ParseError& error) const {
+        const std::vector<std::string> unknown = app_.remaining(true);
+        const auto option =
+            std::find_if(unknown.begin(), unknown.end(), [](const auto& word) { return word.starts_with('-'); });
+        const std::string help =
+            "see 'shade16" + (called().get_name().empty() ? "" : " " + called().get_name()) + " --help'";
+        if (option != unknown.end()) return unknown_word(*option, "option", option_names(called()), help);
+        if (called().get_name().empty() && !unknown.empty())
+            return unknown_word(unknown.front(), "command", {"render", "compare", "bake"},
+                                "expected render, compare or bake; " + help);
+        if (called().get_name().empty()) return "expected a command: render, compare or bake; " + help + ".";
+        if (!unknown.empty())
+            return fmt::format("{}: one word too many; expected one model; {}.", unknown.front(), help);
+        return reworded(error.get_name(), error.what()) + "; " + help + ".";
+    }
+
+    static std::vector<std::string> option_names(const CLI::App& app) {
+        std::vector<std::string> names;
+        for (const CLI::Option* option : app.get_options())
+            for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+        return names;
+    }
+
+    CLI::App app_{program_help, "shade16"};
+    CLI::App* render_ = app_.add_subcommand("render", render_help);
+    CLI::App* compare_ = app_.add_subcommand("compare", compare_help);
+    CLI::App* bake_ = app_.add_subcommand("bake", bake_help);
+    RenderOptions render_options_{};
+    CompareOptions compare_options_{};
+    BakeOptions bake_options_{};
+};
+
+}  // namespace
+
+Command parse_command_line(int argc, const char* const* argv) { return CommandLine().parse(argc, argv); }
+
+}  // namespace shade16::host

@@ -1,0 +1,93 @@
+#include "host_sim/cli/comparison_text.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "host_sim/cli/console.hpp"
+#include "host_sim/engine/formats.hpp"
+#include "host_sim/report/judge.hpp"
+
+namespace shade16::host {
+
+namespace {
+
+constexpr double levels_a_red_code = levels_of_full_scale / 31, levels_a_green_code = levels_of_full_scale / 63;
+
+/// In the channels of 5 bits, whose codes are the widest.
+double stepping_levels(const Comparison& c) {
+    return with_tier(c.tier, []<class Tier>(Tier) {
+        const bool packed = Tier::stepping == Stepping::packed;
+        const auto codes = packed ? packed_stepping_max_error_per_1024_code : exact_stepping_max_error_per_1024_code;
+        return codes / 1024.0 * levels_a_red_code;
+    });
+}
+
+std::string row(const Comparison& c, const ErrorFigures& figures, const std::string& promised) {
+    return fmt::format("    {:<9}{:<21}{:>9.5f} {:>9.5f} {:>8.1f} %    {}\n", c.tier, promised, figures.largest,
+                       figures.mean(), 100 * figures.largest_of_bound, figures.holds() ? "kept" : "BROKEN");
+}
+
+constexpr const char* heading = "    tier     promised (levels)      largest      mean   of bound    verdict\n";
+
+std::string vertices_text(const std::vector<Comparison>& tiers) {
+    std::string text =
+        "(i) Lit vertices (faces, where shading is flat), against double precision on the same integers\n";
+    text += heading;
+    for (const Comparison& c : tiers)
+        text += row(c, c.vertices, fmt::format("{:g}; {:g}", c.promise_to_128, c.promise_to_1000));
+    return text +
+           fmt::format(
+               "    Promised for one light of intensity 1: with shininess up to 128; up to 1000. Lights add up.\n"
+               "    {} compared in each tier.\n\n",
+               counted(tiers.front().vertices.count, "point", "points"));
+}
+
+std::string pixels_text(const std::vector<Comparison>& tiers) {
+    std::string text = "(ii) Pixels before they are rounded to the display's format: (i) and stepping along a row\n";
+    text += heading;
+    for (const Comparison& c : tiers) text += row(c, c.pixels, fmt::format("the above + {:.2g}", stepping_levels(c)));
+    return text + fmt::format("    {} of triangles cut by the frame's edges or the camera were left out.\n\n",
+                              counted(tiers.front().clipped_pixels, "pixel", "pixels"));
+}
+
+std::string picture_text(const std::vector<Comparison>& tiers) {
+    std::string text = "(iii) The finished RGB565 picture, against an independent one of the unrounded model\n";
+    text += "    tier     promised               largest      mean   covered in only one of both\n";
+    for (const Comparison& c : tiers)
+        text +=
+            fmt::format("    {:<9}{:<21}{:>9.5f} {:>9.5f}   {} of {} pixels\n", c.tier, "nothing", c.picture.largest,
+                        c.picture.mean(), c.covered_by_one, c.covered_by_one + c.covered_by_both);
+    return text +
+           fmt::format(
+               "    Most of it is the display's own rounding: one code of RGB565 is {:.1f} levels in red and blue\n"
+               "    and {:.1f} in green, so rounding alone takes up to {:.1f}. The largest are beside edges, where\n"
+               "    the two pictures may show different faces.\n\n",
+               levels_a_red_code, levels_a_green_code, levels_a_red_code / 2);
+}
+
+std::string verdict_text(const std::vector<Comparison>& tiers) {
+    const auto any = [&](auto is) { return std::any_of(tiers.begin(), tiers.end(), is); };
+    if (any([](const Comparison& c) { return !c.vertices.holds() || !c.pixels.holds(); }))
+        return "Verdict: BROKEN. An error is larger than promised.\n";
+    if (any([](const Comparison& c) { return !c.holds(); }))
+        return "Verdict: SUSPECT. The reference never differs, so it is not compared with.\n";
+    return "Verdict: every promise is kept.\n";
+}
+
+}  // namespace
+
+std::string comparison_text(const std::vector<Comparison>& tiers, const ModelScene& scene, const CompareOptions& o) {
+    const std::string what =
+        fmt::format("{}: {}, {}; {} of {}x{} pixels over one turn, {} lights.\n", scene.baked().source,
+                    counted(scene.baked().vertex_count(), "vertex", "vertices"),
+                    counted(scene.baked().triangle_count(), "triangle", "triangles"),
+                    counted(static_cast<std::size_t>(o.frames), "frame", "frames"), o.size.width, o.size.height,
+                    scene.scene().lights.count);
+    const std::string units =
+        "Errors are in levels: one level is 1/255 of a colour channel. 'Of bound' is the largest share that an error\n"
+        "took of what is promised at its own point, with its own lights: up to 100 % the promise is kept.\n\n";
+    return what + units + vertices_text(tiers) + pixels_text(tiers) + picture_text(tiers) + verdict_text(tiers);
+}
+
+}  // namespace shade16::host

@@ -1,0 +1,50 @@
+// What each help begins and ends with. Examples come first: most readers need nothing else.
+#pragma once
+
+namespace shade16::host {
+
+inline constexpr const char* program_help =
+    R"(Examples:
+  shade16 render teapot.obj -o teapot.png               one picture
+  shade16 render teapot.obj -o teapot.y4m               one turn, 90 frames; plays in mpv, VLC and ffplay
+  shade16 render teapot.obj -o - | mpv --loop=inf -     the same without a file
+  shade16 compare teapot.obj                            how far from double precision, and is it what is promised?
+  shade16 bake teapot.obj -o teapot.hpp                 the model as a C++ header for the microcontroller
+
+shade16 draws on this computer what the fixed-point engine draws on a microcontroller, bit for bit.
+)";
+
+inline constexpr const char* render_help =
+    R"(Examples:
+  shade16 render teapot.obj -o teapot.png                            one picture
+  shade16 render teapot.obj -o turn.y4m --frames 60 --size 240x240   one turn as a film
+  shade16 render teapot.obj -o turn.png --frames 12                  turn-0000.png to turn-0011.png
+  shade16 render teapot.obj -o frame.rgb565 --format rgb565_swapped  the bytes that an SPI display takes
+  shade16 render teapot.obj -o - | ffmpeg -i - turn.gif              a stream
+
+Draws the model turning once about its vertical axis, fitted into the frame and lit.
+)";
+
+inline constexpr const char* compare_help =
+    R"(Examples:
+  shade16 compare teapot.obj                            every tier, 8 turns
+  shade16 compare teapot.obj --tier lowp --frames 90    one tier, more closely
+  shade16 compare teapot.obj --shading flat
+
+Measures the fixed-point engine against double precision and prints three errors, each beside what is promised of it.
+The exit code is 1 when a promise is broken.
+)";
+
+inline constexpr const char* bake_help =
+    R"(Examples:
+  shade16 bake teapot.obj -o teapot.hpp                 defines assets::teapot and assets::teapot_material
+  shade16 bake teapot.obj -o mesh.hpp --name pot        defines assets::pot and assets::pot_material
+
+Rounds the model to 16 bits a coordinate and writes it as a C++ header of constants, which stay in flash.
+)";
+
+inline constexpr const char* exit_codes_help =
+    R"(Exit codes: 0 done, 1 a promise is broken, 2 wrong input or usage, 3 the machine could not read or write.
+)";
+
+}  // namespace shade16::host

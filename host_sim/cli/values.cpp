@@ -1,0 +1,81 @@
+#include "host_sim/cli/values.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <stdexcept>
+
+#include "host_sim/engine/formats.hpp"
+#include "host_sim/io/atomic_file.hpp"
+#include "host_sim/io/frame_writer.hpp"
+
+namespace shade16::host {
+
+namespace {
+
+/// The whole word as a number, digits alone; nothing else, and nothing that does not fit.
+std::optional<int> number(std::string_view word) {
+    int value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
+    return value;
+}
+
+bool has_ending(std::string_view path, std::string_view ending) {
+    if (path.size() <= ending.size()) return false;
+    const auto lower = [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    return std::equal(ending.begin(), ending.end(), path.end() - static_cast<std::ptrdiff_t>(ending.size()),
+                      [&](char a, char b) { return a == lower(b); });
+}
+
+}  // namespace
+
+int whole_number(std::string_view option, const std::string& word, int least, int largest) {
+    const std::optional<int> value = number(word);
+    if (!value || *value < least || *value > largest)
+        throw input_error("{} {}: expected a whole number from {} to {}.", option, word, least, largest);
+    return *value;
+}
+
+Viewport size_of(const std::string& word) {
+    const std::size_t cross = std::min(word.find('x'), word.size());
+    const std::optional<int> width = number(std::string_view(word).substr(0, cross));
+    const std::optional<int> height = number(std::string_view(word).substr(std::min(cross + 1, word.size())));
+    const auto is_target = [](std::optional<int> pixels) { return pixels && *pixels >= 1 && *pixels <= max_target_px; };
+    if (!is_target(width) || !is_target(height))
+        throw input_error("--size {}: expected WIDTHxHEIGHT, each from 1 to {} pixels, such as 320x240.", word,
+                          max_target_px);
+    return {*width, *height};
+}
+
+Shading shading_of(const std::string& word) {
+    if (word == "flat") return Shading::flat;
+    if (word == "gouraud") return Shading::gouraud;
+    throw input_error("--shading {}: expected flat or gouraud.", word);
+}
+
+Engine engine_of(const std::string& word) {
+    if (word == "fixed") return Engine::fixed;
+    if (word == "reference") return Engine::reference;
+    throw input_error("--engine {}: expected fixed or reference.", word);
+}
+
+std::string tier_of(const std::string& word) {
+    with_tier(word, [](auto) {});
+    return word;
+}
+
+std::string format_of(const std::string& word) {
+    with_format(word, [](auto) {});
+    return word;
+}
+
+OutputKind kind_of(const std::string& path) {
+    if (is_standard_output(path) || has_ending(path, ".y4m")) return OutputKind::y4m;
+    if (has_ending(path, ".png")) return OutputKind::png;
+    if (has_ending(path, ".rgb565")) return OutputKind::raw;
+    open_writer(path, 1, 1, 1, 1);  // knows how to refuse it
+    throw std::logic_error("every output that can be opened has a kind");
+}
+
+}  // namespace shade16::host

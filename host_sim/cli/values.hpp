@@ -1,0 +1,25 @@
+// The values of options, from the words that the user typed. Each throws input_error with the option, the word and what
+// was expected instead.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "host_sim/cli/options.hpp"
+
+namespace shade16::host {
+
+int whole_number(std::string_view option, const std::string& word, int least, int largest);
+
+/// "320x240"
+Viewport size_of(const std::string& word);
+
+Shading shading_of(const std::string& word);
+Engine engine_of(const std::string& word);
+std::string tier_of(const std::string& word);
+std::string format_of(const std::string& word);
+
+/// From the ending of the path; `-` is Y4M.
+OutputKind kind_of(const std::string& path);
+
+}  // namespace shade16::host

@@ -1,0 +1,31 @@
+// FrameWriter: takes finished frames, one after the other. The ending of the path picks the format.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "host_sim/io/image.hpp"
+
+namespace shade16::host {
+
+class FrameWriter {
+public:
+    FrameWriter() = default;
+    FrameWriter(const FrameWriter&) = delete;
+    FrameWriter& operator=(const FrameWriter&) = delete;
+    virtual ~FrameWriter() = default;
+
+    virtual void write(const Image& frame) = 0;
+
+    /// The last frame is written. Without it a single output file does not appear.
+    virtual void finish() = 0;
+};
+
+/// `.y4m` (also `-`, on standard output), `.png` (name-0000.png and so on for several frames), `.rgb565` (raw).
+std::unique_ptr<FrameWriter> open_writer(const std::string& path, int width, int height, int frame_count, int fps);
+
+std::unique_ptr<FrameWriter> open_y4m_writer(const std::string& path, int width, int height, int fps);
+std::unique_ptr<FrameWriter> open_png_writer(const std::string& path, int width, int height, int frame_count);
+std::unique_ptr<FrameWriter> open_raw_writer(const std::string& path, int width, int height);
+
+}  // namespace shade16::host

@@ -1,0 +1,49 @@
+// shade16: the host simulator.
+#include <cstdio>
+#include <new>
+
+#include "host_sim/cli/bake.hpp"
+#include "host_sim/cli/command_line.hpp"
+#include "host_sim/cli/compare.hpp"
+#include "host_sim/cli/console.hpp"
+#include "host_sim/cli/render.hpp"
+#include "host_sim/cli/signals.hpp"
+#include "host_sim/io/atomic_file.hpp"
+
+namespace shade16::host {
+namespace {
+
+struct Run {
+    ExitCode operator()(const Answer& answer) const {
+        print(answer.text);
+        return ExitCode::ok;
+    }
+    ExitCode operator()(const RenderOptions& options) const { return render(options); }
+    ExitCode operator()(const CompareOptions& options) const { return compare(options); }
+    ExitCode operator()(const BakeOptions& options) const { return bake(options); }
+};
+
+ExitCode refuse(ExitCode code, const char* sentence) {
+    std::fprintf(stderr, "shade16: %s\n", sentence);
+    return code;
+}
+
+ExitCode run(int argc, const char* const* argv) {
+    try {
+        return std::visit(Run{}, parse_command_line(argc, argv));
+    } catch (const ClosedPipe&) {
+        return ExitCode::ok;  // the reader has seen enough
+    } catch (const Error& error) {
+        return refuse(error.code, error.what());
+    } catch (const std::bad_alloc&) {
+        return refuse(ExitCode::io, "there is not enough memory for this.");
+    }
+}
+
+}  // namespace
+}  // namespace shade16::host
+
+int main(int argc, char** argv) {
+    shade16::host::handle_signals();
+    return static_cast<int>(shade16::host::run(argc, argv));
+}

@@ -1,0 +1,141 @@
+#include "host_sim/model/mtl_import.hpp"
+
+#include <filesystem>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "host_sim/model/obj_text.hpp"
+#include "host_sim/model/text_lines.hpp"
+
+namespace shade16::host {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// tinyobjloader cannot tell an absent line from a black colour or illum 0. Impossible values after each newmtl can: a
+/// real line overrides them.
+std::string with_impossible_defaults(const std::string& text) {
+    std::string marked;
+    for (const TextLine& line : lines_of(text)) {
+        const auto words = words_of(line.text);
+        if (words.empty()) continue;
+        if (words[0] == "newmtl") {
+            marked += fmt::format("newmtl {}\nKa -1 -1 -1\nKd -1 -1 -1\nNs -1\nillum -1\n",
+                                  joined_name(after_first_word(line.text)));
+        } else {
+            marked.append(line.text).append("\n");
+        }
+    }
+    return marked;
+}
+
+bool is_absent(const tinyobj::real_t (&color)[3]) { return color[0] == -1 && color[1] == -1 && color[2] == -1; }
+bool is_one(const tinyobj::real_t (&color)[3]) { return color[0] == 1 && color[1] == 1 && color[2] == 1; }
+
+class Conversion {
+public:
+    Conversion(const tinyobj::material_t& mtl, Remarks& remarks) : mtl_(mtl), remarks_(remarks) {}
+
+    ModelPart run() {
+        const std::string name = spaced_name(mtl_.name);
+        part_.name = name == " " ? "unnamed" : name;
+        convert_colors();
+        part_.material.unlit = mtl_.illum == 0;
+        if (mtl_.shininess != -1) part_.material.shininess = exponent();
+        note_what_is_not_drawn();
+        return std::move(part_);
+    }
+
+private:
+    void convert_colors() {
+        Material& material = part_.material;
+        if (!is_absent(mtl_.diffuse)) material.diffuse = color(mtl_.diffuse);
+        if (is_one(mtl_.ambient)) {
+            part_.notes.emplace_back("Ka 1 1 1, read as the diffuse colour");
+        } else if (!is_absent(mtl_.ambient)) {
+            material.ambient = color(mtl_.ambient);
+        }
+        if (mtl_.illum != 1) material.specular = color(mtl_.specular);
+        material.emissive = color(mtl_.emission);
+        if (clamped_) remarks_.add("A colour outside of 0 to 1 was clamped", part_.name);
+    }
+
+    Unorm16 channel(double value) {
+        const double inside = value > 0 ? std::min(value, 1.0) : 0;  // a NaN becomes 0
+        clamped_ |= inside != value;
+        return Unorm16::from_raw(static_cast<uint32_t>(std::lround(inside * Unorm16::one)));
+    }
+    Rgb color(const tinyobj::real_t (&c)[3]) { return {channel(c[0]), channel(c[1]), channel(c[2])}; }
+
+    Q16 exponent() {
+        const double given = mtl_.shininess, inside = given > 1 ? std::min(given, 1000.0) : 1;
+        if (inside != given && part_.material.specular != black && !part_.material.unlit)
+            remarks_.add(fmt::format("Ns {:g} is drawn as Ns {:g}, as exponents go from 1 to 1000", given, inside),
+                         part_.name);
+        return Q16::from_raw(static_cast<int32_t>(std::lround(inside * 65536)));
+    }
+
+    void not_drawn(const std::string& what, const std::string& value) {
+        part_.notes.push_back(fmt::format("{} {}", what, value));
+        remarks_.add(fmt::format("{} is not drawn", what), part_.name);
+    }
+
+    void note_what_is_not_drawn() {
+        const auto texture = [this](const char* keyword, const std::string& file) {
+            if (!file.empty()) not_drawn(keyword, file);
+        };
+        texture("map_Ka", mtl_.ambient_texname);
+        texture("map_Kd", mtl_.diffuse_texname);
+        texture("map_Ks", mtl_.specular_texname);
+        texture("map_Ke", mtl_.emissive_texname);
+        texture("map_Ns", mtl_.specular_highlight_texname);
+        texture("map_d", mtl_.alpha_texname);
+        texture("bump", mtl_.bump_texname);
+        texture("norm", mtl_.normal_texname);
+        texture("disp", mtl_.displacement_texname);
+        texture("refl", mtl_.reflection_texname);
+        if (mtl_.dissolve != 1) not_drawn("Transparency (d)", fmt::format("{:g}", static_cast<double>(mtl_.dissolve)));
+        if (mtl_.illum <= 2) return;
+        part_.notes.push_back(fmt::format("illum {}", mtl_.illum));
+        remarks_.add(fmt::format("illum {} is drawn as illum 2", mtl_.illum), part_.name);
+    }
+
+    const tinyobj::material_t& mtl_;
+    Remarks& remarks_;
+    ModelPart part_{};
+    bool clamped_ = false;
+};
+
+}  // namespace
+
+bool MtlReader::operator()(const std::string&, std::vector<tinyobj::material_t>* materials,
+                           std::map<std::string, int>* names, std::string*, std::string*) {
+    for (const std::string& library : libraries_) {
+        // Several names on a line are allowed, and so are blanks in a name.
+        if (read(library, materials, names)) continue;
+        for (const std::string_view file : words_of(library))
+            if (!read(std::string(file), materials, names))
+                warnings_.push_back(fmt::format(
+                    "The material library '{}' cannot be read; what it describes is drawn in neutral grey.", file));
+    }
+    return true;
+}
+
+bool MtlReader::read(const std::string& file, std::vector<tinyobj::material_t>* materials,
+                     std::map<std::string, int>* names) {
+    std::string path = (fs::path(directory_) / file).string();
+    std::error_code ignored;
+    if (!fs::is_regular_file(path, ignored)) std::replace(path.begin(), path.end(), '\\', '/');  // written on Windows
+    if (!fs::is_regular_file(path, ignored)) return false;
+    std::istringstream text(with_impossible_defaults(read_text(path)));
+    std::string warning, error;
+    tinyobj::LoadMtl(names, materials, &text, &warning, &error);
+    names->erase("");  // what stood before the first newmtl is no material
+    return true;
+}
+
+ModelPart to_part(const tinyobj::material_t& mtl, Remarks& remarks) { return Conversion(mtl, remarks).run(); }
+
+}  // namespace shade16::host

@@ -1,0 +1,143 @@
+// A cloud of vertices under random light: what the accuracy tests look for broken promises in. Half of the normals are
+// aimed into a highlight, where the error is; uniform ones miss it.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "host_sim/engine/runtime_renderer.hpp"
+#include "host_sim/reference/pipeline.hpp"
+#include "host_sim/report/judge.hpp"
+
+namespace shade16::host {
+
+class Random {
+public:
+    explicit Random(uint64_t seed) : engine_(seed) {}
+    double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
+    int integer(int low, int high) { return std::uniform_int_distribution<int>(low, high)(engine_); }
+    bool coin() { return integer(0, 1) == 1; }
+    double log_uniform(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
+    glm::dvec3 direction() {
+        std::normal_distribution<double> normal;
+        glm::dvec3 v;
+        do v = {normal(engine_), normal(engine_), normal(engine_)};
+        while (glm::length(v) < 1e-3);
+        return glm::normalize(v);
+    }
+    Rgb color() { return {{code()}, {code()}, {code()}}; }
+
+private:
+    uint16_t code() { return static_cast<uint16_t>(integer(0, 65535)); }
+    std::mt19937_64 engine_;
+};
+
+inline Q16 q16(double v) { return Q16::from_raw(static_cast<int32_t>(std::lround(v * 65536))); }
+inline Vec3 vec3(const glm::dvec3& v) { return {q16(v.x), q16(v.y), q16(v.z)}; }
+inline Normal14 normal14(const glm::dvec3& v) {
+    const glm::dvec3 n = glm::normalize(v) * 16384.0;
+    return {Unit14::from_raw(static_cast<int32_t>(std::lround(n.x))), Unit14::from_raw(static_cast<int32_t>(std::lround(n.y))),
+            Unit14::from_raw(static_cast<int32_t>(std::lround(n.z)))};
+}
+
+/// What the search varies from case to case.
+struct SurfaceOptions {
+    double min_exponent = 1, max_exponent = 128;
+    int lights = 1;
+    bool stretch = false;
+    double max_distance = 400;  // of lights and eye, in model radii
+};
+
+/// One random scene of one object whose vertices have nothing to do with each other.
+class RandomSurface {
+public:
+    static constexpr uint32_t vertex_count = 96;
+
+    RandomSurface(Random& random, const SurfaceOptions& options) {
+        choose_camera(random, options);
+        choose_lights(random, options);
+        choose_object(random, options);
+        scene_.lights = {lights_.data(), static_cast<uint32_t>(lights_.size())};
+        scene_.objects = {&object_, 1};
+        for (uint32_t i = 0; i < vertex_count; ++i) aim(random, i);
+    }
+    RandomSurface(const RandomSurface&) = delete;
+
+    const Scene& scene() const { return scene_; }
+    Normal14& normal(uint32_t i) { return normals_[i]; }
+    Position16& position(uint32_t i) { return positions_[i]; }
+
+    /// Gives vertex i a normal near the half vector of one light, or any.
+    void aim(Random& random, uint32_t i) {
+        const auto coordinate = [&] { return static_cast<int16_t>(random.integer(-32767, 32767)); };
+        positions_[i] = {coordinate(), coordinate(), coordinate()};
+        glm::dvec3 n = random.direction();
+        if (random.coin()) {
+            // A normal is aimed in the world and taken back by the transpose: the inverse of the inverse transpose.
+            const glm::dvec3 half = half_vector(random, i);
+            const double spread = std::sqrt(random.uniform(0, 16) / reference::value(object_.material.shininess));
+            if (glm::length(half) > 1e-6) n = glm::normalize(half) + random.direction() * std::min(spread, 1.5);
+            n = reference::value(object_.pose.scale) * (glm::transpose(reference::value(object_.pose.rotation)) * n);
+        }
+        normals_[i] = normal14(n);
+    }
+
+private:
+    void choose_camera(Random& random, const SurfaceOptions& options) {
+        scene_.camera.eye = vec3(random.direction() * random.log_uniform(0.5, options.max_distance));
+        scene_.camera.target = vec3(random.direction());
+        scene_.camera.up = vec3(random.direction());
+        scene_.camera.viewer = random.coin() ? Viewer::local : Viewer::infinite;
+    }
+    void choose_lights(Random& random, const SurfaceOptions& options) {
+        for (int i = 0; i < options.lights; ++i) {
+            Light light;
+            light.kind = random.coin() ? LightKind::point : LightKind::directional;
+            light.space = static_cast<Space>(random.integer(0, 2));
+            light.position = vec3(random.direction() * random.log_uniform(0.5, options.max_distance));
+            if (options.lights > 1) {
+                light.diffuse = random.color(), light.specular = random.color();
+                light.intensity = Scaled::normalized(static_cast<uint64_t>(random.log_uniform(0.01, 4) * 65536), -16);
+            }
+            lights_.push_back(light);
+        }
+        if (options.lights > 1) lights_.push_back(ambient_light(random.color()));
+    }
+    void choose_object(Random& random, const SurfaceOptions& options) {
+        Material& m = object_.material;
+        m.diffuse = random.color(), m.specular = random.coin() ? white : random.color();
+        m.ambient = random.color();
+        m.shininess = q16(random.log_uniform(options.min_exponent, options.max_exponent));
+        const auto angle = [&] { return Angle{static_cast<uint32_t>(random.uniform(0, 4294967295.0))}; };
+        object_.pose.rotation = rotate_x(angle()) * rotate_y(angle()) * rotate_z(angle());
+        object_.pose.translation = vec3(random.direction() * random.uniform(0, 1));
+        const auto scale = [&] { return q16(random.log_uniform(1 / 16.0, 16)); };
+        const Q16 s = scale();
+        object_.pose.scale = options.stretch ? Vec3{scale(), scale(), scale()} : Vec3{s, s, s};
+        object_.mesh.positions = positions_;
+        object_.mesh.normals = normals_;
+        object_.mesh.fraction_bits = static_cast<int8_t>(random.integer(12, 18));
+    }
+    glm::dvec3 half_vector(Random& random, uint32_t i) {
+        const reference::Scene exact{scene_, {reference::value(object_.mesh)}};
+        const glm::dvec3 p = reference::to_world(object_.pose, exact.meshes[0].positions[i]);
+        const glm::dmat3 to_world = glm::transpose(reference::make_view(scene_.camera, {1, 1}).rotation);
+        const glm::dvec3 viewer = scene_.camera.sees_locally() ? glm::normalize(reference::value(scene_.camera.eye) - p) : to_world[2];
+        const Light& light = lights_[static_cast<std::size_t>(random.integer(0, static_cast<int>(lights_.size()) - 1))];
+        glm::dvec3 l = reference::value(light.position);
+        if (light.space == Space::view) l = to_world * l + (light.kind == LightKind::point ? reference::value(scene_.camera.eye) : glm::dvec3(0));
+        if (light.space == Space::object) l = light.kind == LightKind::point ? reference::to_world(object_.pose, l) : reference::value(object_.pose.rotation) * l;
+        if (light.kind == LightKind::point) l -= p;
+        return glm::normalize(l) + viewer;
+    }
+
+    Position16 positions_[vertex_count]{};
+    Normal14 normals_[vertex_count]{};
+    std::vector<Light> lights_{};
+    Object object_{};
+    Scene scene_{};
+};
+
+}  // namespace shade16::host
