@@ -37,6 +37,10 @@ std::string result_text(const BakeOptions& o, const BakedModel& baked) {
 }  // namespace
 
 ExitCode bake(const BakeOptions& o) {
+    if (o.output.empty()) throw input_error("--output: the name is empty; expected one such as mesh.hpp.");
+    std::error_code ignored;
+    if (std::filesystem::equivalent(o.model, o.output, ignored))
+        throw input_error("{}: is the model itself; expected another name for the header.", o.output);
     const std::string name = name_of(o);
     const BakedModel baked = quantize(import_obj(o.model));
     if (!o.quiet) print_warnings(baked.warnings);

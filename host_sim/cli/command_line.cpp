@@ -21,6 +21,10 @@ CLI::Option* add(CLI::App& app, const char* name, const char* type, const char* 
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
 }
 
+void add_flag(CLI::App& app, const char* name, bool& is_given, const char* help) {
+    app.add_flag(name, is_given, help)->disable_flag_override();
+}
+
 void add_model(CLI::App& app, std::string& model) {
     app.add_option("MODEL.obj", model, "a Wavefront OBJ file")->required()->type_name("");
 }
@@ -53,8 +57,8 @@ void add_render(CLI::App& app, RenderOptions& o) {
     add(app, "--engine", "WORD", "fixed, or reference: double precision without tiers and bands [fixed]",
         [&](const std::string& word) { o.engine = engine_of(word); });
     add_look(app, o);
-    app.add_flag("--quiet", o.quiet, "print errors only");
-    app.add_flag("--verbose", o.verbose, "print what the fitted camera and lights came to");
+    add_flag(app, "--quiet", o.quiet, "print errors only");
+    add_flag(app, "--verbose", o.verbose, "print what the fitted camera and lights came to");
 }
 
 void add_compare(CLI::App& app, CompareOptions& o) {
@@ -64,7 +68,7 @@ void add_compare(CLI::App& app, CompareOptions& o) {
     add(app, "--frames", "N", "of one turn [8]",
         [&](const std::string& word) { o.frames = whole_number("--frames", word, 1, 100'000); });
     add_look(app, o);
-    app.add_flag("--quiet", o.quiet, "print no warnings and no progress");
+    add_flag(app, "--quiet", o.quiet, "print no warnings and no progress");
 }
 
 void add_bake(CLI::App& app, BakeOptions& o) {
@@ -73,17 +77,36 @@ void add_bake(CLI::App& app, BakeOptions& o) {
         o.output = path;
     })->required();
     add(app, "--name", "NAME", "of the mesh in C++ [the header's]", [&](const std::string& name) { o.name = name; });
-    app.add_flag("--quiet", o.quiet, "print errors only");
+    add_flag(app, "--quiet", o.quiet, "print errors only");
 }
+
+/// Help that begins with examples; a list of commands has one line for each.
+class ExamplesFirst final : public CLI::Formatter {
+public:
+    ExamplesFirst() { label("Positionals", "Arguments"); }
+
+    std::string make_description(const CLI::App* app) const override {
+        const std::string& name = app->get_name();
+        const char* const begin = name == "render"    ? render_help
+                                  : name == "compare" ? compare_help
+                                  : name == "bake"    ? bake_help
+                                                      : program_help;
+        return begin + std::string("\n");
+    }
+};
 
 class CommandLine {
 public:
     CommandLine() {
+        app_.formatter(std::make_shared<ExamplesFirst>());  // before the commands, which inherit it
+        app_.set_version_flag("--version", "shade16 " SHADE16_VERSION, "Print the version and exit");
+        app_.require_subcommand(1);
+        render_ = app_.add_subcommand("render", "draw a model: a picture, a film or raw pixels");
+        compare_ = app_.add_subcommand("compare", "measure the engine against double precision");
+        bake_ = app_.add_subcommand("bake", "turn a model into a C++ header");
         add_render(*render_, render_options_);
         add_compare(*compare_, compare_options_);
         add_bake(*bake_, bake_options_);
-        app_.set_version_flag("--version", "shade16 " SHADE16_VERSION);
-        app_.require_subcommand(1);
         for (CLI::App* app : {&app_, render_, compare_, bake_}) app->footer(exit_codes_help);
     }
 
@@ -103,27 +126,29 @@ public:
     }
 
 private:
-    const CLI::App& called() const {
+    /// The command that was given, or nullptr.
+    const CLI::App* called() const {
         for (const CLI::App* app : {render_, compare_, bake_})
-            if (app->parsed()) return *app;
-        return app_;
+            if (app->parsed()) return app;
+        return nullptr;
     }
 
     /// What CLI11 complains about, with what was expected. A word that nobody knows is named before anything that may
     /// only be missing because of it.
     std::string sentence(const CLI::ParseError& error) const {
+        const CLI::App* const command = called();
+        const std::string help = command ? "see 'shade16 " + command->get_name() + " --help'" : "see 'shade16 --help'";
         const std::vector<std::string> unknown = app_.remaining(true);
-        const auto option =
-            std::find_if(unknown.begin(), unknown.end(), [](const auto& word) { return word.starts_with('-'); });
-        const std::string help =
-            "see 'shade16" + (called().get_name().empty() ? "" : " " + called().get_name()) + " --help'";
-        if (option != unknown.end()) return unknown_word(*option, "option", option_names(called()), help);
-        if (called().get_name().empty() && !unknown.empty())
+        for (const std::string& word : unknown)
+            if (word.starts_with('-'))
+                return unknown_word(word, "option", option_names(command ? *command : app_), help);
+        if (command == nullptr && unknown.empty())
+            return "a command is missing: expected render, compare or bake; " + help + ".";
+        if (command == nullptr)
             return unknown_word(unknown.front(), "command", {"render", "compare", "bake"},
                                 "expected render, compare or bake; " + help);
-        if (called().get_name().empty()) return "expected a command: render, compare or bake; " + help + ".";
         if (!unknown.empty())
-            return fmt::format("{}: one word too many; expected one model; {}.", unknown.front(), help);
+            return fmt::format("{}: is one word too many; expected one model; {}.", unknown.front(), help);
         return reworded(error.get_name(), error.what()) + "; " + help + ".";
     }
 
@@ -134,10 +159,8 @@ private:
         return names;
     }
 
-    CLI::App app_{program_help, "shade16"};
-    CLI::App* render_ = app_.add_subcommand("render", render_help);
-    CLI::App* compare_ = app_.add_subcommand("compare", compare_help);
-    CLI::App* bake_ = app_.add_subcommand("bake", bake_help);
+    CLI::App app_{"", "shade16"};
+    CLI::App *render_ = nullptr, *compare_ = nullptr, *bake_ = nullptr;
     RenderOptions render_options_{};
     CompareOptions compare_options_{};
     BakeOptions bake_options_{};

@@ -46,7 +46,7 @@ std::string vertices_text(const std::vector<Comparison>& tiers) {
 std::string pixels_text(const std::vector<Comparison>& tiers) {
     std::string text = "(ii) Pixels before they are rounded to the display's format: (i) and stepping along a row\n";
     text += heading;
-    for (const Comparison& c : tiers) text += row(c, c.pixels, fmt::format("the above + {:.2g}", stepping_levels(c)));
+    for (const Comparison& c : tiers) text += row(c, c.pixels, fmt::format("as above + {:.2g}", stepping_levels(c)));
     return text + fmt::format("    {} of triangles cut by the frame's edges or the camera were left out.\n\n",
                               counted(tiers.front().clipped_pixels, "pixel", "pixels"));
 }

@@ -39,6 +39,7 @@ std::string nearest(std::string_view typed, const std::vector<std::string>& know
 std::string unknown_word(const std::string& word, const char* kind, const std::vector<std::string>& known,
                          const std::string& expected) {
     const std::string near = nearest(word, known);
+    if (near == word) return fmt::format("{}: belongs after the command, as in 'shade16 render {}'.", word, word);
     if (near.empty()) return fmt::format("{}: there is no such {}; {}.", word, kind, expected);
     return fmt::format("{}: there is no such {}; did you mean {}?", word, kind, near);
 }
@@ -46,6 +47,7 @@ std::string unknown_word(const std::string& word, const char* kind, const std::v
 std::string reworded(const std::string& error_class, std::string text) {
     std::replace(text.begin(), text.end(), '\n', ' ');
     const std::string option = text.substr(0, std::min(text.find_first_of(": "), text.size()));
+    if (text.ends_with("disallowed flag override")) return fmt::format("--{}: takes no value", option);
     if (error_class == "ArgumentMismatch") return option + ": expected a value after it";
     if (error_class != "RequiredError") return text;
     if (option == "--output") return "the name of the output is missing: expected -o and a name";

@@ -71,6 +71,7 @@ std::string format_of(const std::string& word) {
 }
 
 OutputKind kind_of(const std::string& path) {
+    if (path.empty()) throw input_error("--output: the name is empty; expected one such as frame.png.");
     if (is_standard_output(path) || has_ending(path, ".y4m")) return OutputKind::y4m;
     if (has_ending(path, ".png")) return OutputKind::png;
     if (has_ending(path, ".rgb565")) return OutputKind::raw;

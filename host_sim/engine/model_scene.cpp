@@ -31,6 +31,8 @@ reference::Scene ModelScene::unquantized() const {
         return to;
     };
     for (const ModelPart& part : model_.parts) {
+        // A part that rounding left without triangles is no object.
+        if (result.meshes.size() == baked_.parts.size() || part.name != baked_.parts[result.meshes.size()].name) continue;
         reference::Mesh mesh{vectors(model_.positions), vectors(model_.normals), vectors(model_.colors), {}};
         for (const auto& t : part.triangles) mesh.triangles.push_back({t[0], t[1], t[2]});
         result.meshes.push_back(std::move(mesh));

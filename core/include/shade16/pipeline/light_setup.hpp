@@ -109,6 +109,7 @@ SHADE16_ONCE constexpr LightProduct make_product(Rgb material, Rgb light, Scaled
         if (!s.is_zero()) exponent = max<int>(exponent, s.exponent);
     if (exponent == -1000) return {};
     const auto mantissa = [exponent](Scaled s) {
+        if (s.is_zero()) return uint32_t{0};
         const int shift = min(exponent - s.exponent, 40) + (Arithmetic<Tier>::wide ? 0 : 16);
         return static_cast<uint32_t>(shift_right_round(uint64_t{s.mantissa}, shift));
     };

@@ -1,0 +1,187 @@
+// What the program refuses: in one sentence, with the right exit code, and without leaving a file behind.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include "tests/system/program.hpp"
+
+namespace shade16::host {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+constexpr const char* triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+/// One sentence: a line of its own, and a full stop or a question mark at its end.
+void expect_refusal(const Ran& ran, int exit_code, const std::string& sentence) {
+    EXPECT_EQ(ran.exit_code, exit_code);
+    EXPECT_THAT(ran.err, StartsWith("shade16: "));
+    EXPECT_THAT(ran.err, HasSubstr(sentence));
+    EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+    EXPECT_TRUE(ran.err.ends_with(".\n") || ran.err.ends_with("?\n")) << ran.err;
+    EXPECT_THAT(ran.out, IsEmpty());
+}
+
+void expect_model_refused(const std::string& obj, const std::string& sentence) {
+    const ScratchDirectory scratch;
+    const std::string model = scratch.write("m.obj", obj);
+    for (const char* output : {"a.y4m", "a.png", "a.rgb565"})
+        expect_refusal(shade16_program("render " + model + " -o " + scratch.path(output)), 2, sentence);
+    expect_refusal(shade16_program("bake " + model + " -o " + scratch.path("a.hpp")), 2, sentence);
+    expect_refusal(shade16_program("compare " + model), 2, sentence);
+    expect_refusal(shade16_program("render " + model + " -o -"), 2, sentence);
+    EXPECT_THAT(scratch.names(), ElementsAre("m.obj"));
+}
+
+/// `arguments` after `render teapot.obj -o a.png`.
+void expect_usage_refused(const std::string& arguments, const std::string& sentence) {
+    const ScratchDirectory scratch;
+    SCOPED_TRACE(arguments);
+    expect_refusal(shade16_program("render " + teapot() + " -o " + scratch.path("a.png") + " " + arguments), 2,
+                   sentence);
+    EXPECT_THAT(scratch.names(), IsEmpty());
+}
+
+TEST(CliRefusal, a_missing_model) {
+    const ScratchDirectory scratch;
+    expect_refusal(shade16_program("render " + scratch.path("no.obj") + " -o " + scratch.path("a.png")), 2,
+                   "no.obj: cannot be opened: No such file or directory.");
+    EXPECT_THAT(scratch.names(), IsEmpty());
+}
+
+TEST(CliRefusal, an_unreadable_model) {
+    const ScratchDirectory scratch;
+    expect_refusal(shade16_program("compare " + scratch.path("")), 2, "is a directory; expected a text file.");
+    if (geteuid() == 0) GTEST_SKIP() << "root reads every file.";
+    const std::string model = scratch.write("m.obj", triangle);
+    std::filesystem::permissions(model, std::filesystem::perms::none);
+    expect_refusal(shade16_program("compare " + model), 2, "m.obj: cannot be opened: Permission denied.");
+}
+
+TEST(CliRefusal, a_model_without_faces) {
+    expect_model_refused("v 0 0 0\n", "m.obj: has no faces; expected at least one line such as 'f 1 2 3'.");
+    expect_model_refused("", "m.obj: has no faces");
+}
+
+TEST(CliRefusal, an_index_out_of_range) {
+    expect_model_refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n",
+                         "m.obj, line 4: a face refers to vertex 4; expected 1 to 3, as the file has 3.");
+    expect_model_refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", "line 4: a face refers to vertex 0");
+    expect_model_refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -4\n", "line 4: a face refers to vertex -4");
+}
+
+TEST(CliRefusal, coordinates_that_are_none_or_huge) {
+    expect_model_refused("v 0 nan 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+                         "m.obj, line 1: the coordinate 'nan' is not a number");
+    expect_model_refused("v 0 0 0\nv inf 0 0\nv 0 1 0\nf 1 2 3\n",
+                         "m.obj, line 2: the coordinate 'inf' is out of range");
+    expect_model_refused("v 0 0 0\nv 1 0 0\nv 0 1e30 0\nf 1 2 3\n",
+                         "m.obj, line 3: the coordinate '1e30' is out of range; expected -16384 to 16384.");
+}
+
+TEST(CliRefusal, more_vertices_than_16_bit_indices_reach) {
+    constexpr int columns = 257, rows = 256;  // 65792
+    std::string obj;
+    for (int y = 0; y < rows; ++y)
+        for (int x = 0; x < columns; ++x) obj += fmt::format("v {} {} {}\n", x, y, (x * y) % 7);
+    for (int y = 0; y + 1 < rows; ++y)
+        for (int x = 1; x < columns; ++x) {
+            const int corner = y * columns + x;
+            obj += fmt::format("f {} {} {} {}\n", corner, corner + 1, corner + columns + 1, corner + columns);
+        }
+    const ScratchDirectory scratch;
+    const std::string model = scratch.write("m.obj", obj);
+    const std::string sentence = "m.obj: the part 'default' has 65792 different vertices; expected at most 65535";
+    expect_refusal(shade16_program("render " + model + " -o " + scratch.path("a.y4m")), 2, sentence);
+    EXPECT_THAT(scratch.names(), ElementsAre("m.obj"));
+}
+
+TEST(CliRefusal, an_unwritable_output_is_a_failure_of_the_machine) {
+    const ScratchDirectory scratch;
+    std::filesystem::create_directory(scratch.path("d.png"));
+    for (const char* output : {"no/a.png", "no/a.y4m", "no/a.rgb565"})
+        expect_refusal(shade16_program("render " + teapot() + " -o " + scratch.path(output)), 3,
+                       std::string(output) + ": cannot be created: No such file or directory.");
+    expect_refusal(shade16_program("bake " + teapot() + " -o " + scratch.path("no/a.hpp")), 3,
+                   "no/a.hpp: cannot be created");
+    expect_refusal(shade16_program("render " + teapot() + " -o " + scratch.path("d.png")), 3, "d.png: is a directory");
+    EXPECT_THAT(scratch.names(), ElementsAre("d.png"));
+}
+
+TEST(CliRefusal, a_full_disk) {
+    if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full.";
+    for (const std::string command : {"render " + teapot() + " -o -", "bake " + teapot() + " -o -",
+                                      "compare " + teapot(), std::string("--help"), std::string("--version")}) {
+        SCOPED_TRACE(command);
+        expect_refusal(shade16_program(command + " >/dev/full"), 3,
+                       "standard output: cannot be written: No space left");
+    }
+}
+
+TEST(CliRefusal, a_size_of_zero_or_beyond_the_domain) {
+    for (const std::string size : {"0x240", "320x0", "0x0", "2049x1", "1x2049", "99999999999x9", "-320x240", "320",
+                                   "320x", "x240", "320x240x3", "320X240", "a", "''"})
+        expect_usage_refused(
+            "--size " + size,
+            fmt::format("--size {}: expected WIDTHxHEIGHT, each from 1 to 2048 pixels", size == "''" ? "" : size));
+    expect_refusal(shade16_program("compare " + teapot() + " --size 0x1"), 2, "--size 0x1: expected WIDTHxHEIGHT");
+}
+
+TEST(CliRefusal, numbers_out_of_range) {
+    for (const char* option : {"--frames", "--fps", "--bands"})
+        for (const char* number : {"0", "-1", "1.5", "x", "99999999999"})
+            expect_usage_refused(fmt::format("{} {}", option, number),
+                                 fmt::format("{} {}: expected a whole number from 1 to ", option, number));
+}
+
+TEST(CliRefusal, words_nobody_knows) {
+    expect_usage_refused("--tier half", "--tier half: expected lowp, mediump or highp.");
+    expect_usage_refused("--format rgb555", "--format rgb555: expected rgb565, rgb565_swapped or rgb888.");
+    expect_usage_refused("--shading phong", "--shading phong: expected flat or gouraud.");
+    expect_usage_refused("--engine gl", "--engine gl: expected fixed or reference.");
+    expect_usage_refused("--szie 1x1", "--szie: there is no such option; did you mean --size?");
+    expect_usage_refused("--xyz", "--xyz: there is no such option; see 'shade16 render --help'.");
+    expect_usage_refused("more.obj", "more.obj: is one word too many; expected one model");
+    expect_usage_refused("--tier", "--tier: expected a value after it");
+    expect_usage_refused("--quiet=1", "--quiet: takes no value");
+}
+
+TEST(CliRefusal, commands_nobody_knows) {
+    expect_refusal(shade16_program(""), 2, "a command is missing: expected render, compare or bake");
+    expect_refusal(shade16_program("rendr"), 2, "rendr: there is no such command; did you mean render?");
+    expect_refusal(shade16_program("paint x"), 2, "paint: there is no such command; expected render, compare or bake");
+    expect_refusal(shade16_program("--xyz"), 2, "--xyz: there is no such option; see 'shade16 --help'.");
+    expect_refusal(shade16_program("--quiet render"), 2, "--quiet: belongs after the command");
+}
+
+TEST(CliRefusal, incomplete_commands) {
+    expect_refusal(shade16_program("render"), 2, "the name of the model is missing: expected MODEL.obj");
+    expect_refusal(shade16_program("render " + teapot()), 2, "the name of the output is missing: expected -o");
+    expect_refusal(shade16_program("bake " + teapot() + " -o"), 2, "--output: expected a value after it");
+    expect_refusal(shade16_program("render " + teapot() + " -o ''"), 2, "--output: the name is empty");
+}
+
+TEST(CliRefusal, outputs_of_no_known_kind) {
+    const ScratchDirectory scratch;
+    expect_refusal(shade16_program("render " + teapot() + " -o " + scratch.path("a.gif")), 2,
+                   "the ending '.gif' names no known format; expected .y4m, .png or .rgb565");
+    expect_refusal(shade16_program("render " + teapot() + " --format rgb888 -o " + scratch.path("a.rgb565")), 2,
+                   ".rgb565 holds 16 bits a pixel, but --format rgb888 has 24");
+    EXPECT_THAT(scratch.names(), IsEmpty());
+}
+
+TEST(CliRefusal, a_header_over_its_model_or_with_no_name) {
+    const ScratchDirectory scratch;
+    const std::string model = scratch.write("m.obj", triangle);
+    expect_refusal(shade16_program("bake " + model + " -o " + model), 2, "m.obj: is the model itself");
+    expect_refusal(shade16_program("bake " + model + " --name 3d -o " + scratch.path("a.hpp")), 2,
+                   "--name 3d: is no C++ name; expected one such as");
+    EXPECT_EQ(scratch.read("m.obj"), triangle);
+    EXPECT_THAT(scratch.names(), ElementsAre("m.obj"));
+}
+
+}  // namespace
+}  // namespace shade16::host

@@ -1,0 +1,183 @@
+// One picture, however it is drawn: from a scene in flash or at run time, in bands of any height, with every vertex kept
+// or replayed, by the smallest pipeline or by that of all terms.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "host_sim/engine/runtime_renderer.hpp"
+
+namespace shade16::host {
+namespace {
+
+constexpr Viewport screen{96, 72};
+
+constexpr Light sun[] = {directional_light({1, 2, 3})};
+constexpr Light lamps[] = {ambient_light(rgb(0x303030)), directional_light({1, 2, 3}, white, 0.6_scaled), point_light({-2, 1, 2}, rgb(0x4060A0)),
+                           {.kind = LightKind::point, .position = {1, 1, 0}, .intensity = 0.5_scaled, .space = Space::view},
+                           {.kind = LightKind::directional, .position = {0, 1, 0}, .diffuse = rgb(0x205020), .space = Space::object}};
+constexpr Camera near_by{.eye = {0, 1, 3}, .viewer = Viewer::local};
+
+constexpr Object brass_torus[] = {{.mesh = torus<24, 12>.mesh(), .material = *find_material("brass"), .pose = {.rotation = rotate_x(60_deg)}}};
+constexpr Object flat_sphere[] = {{.mesh = sphere<16, 8>.mesh(), .material = {.diffuse = rgb(0xC04020), .shading = Shading::flat}}};
+constexpr Object unlit_cube[] = {{.mesh = cube.mesh(), .material = {.diffuse = rgb(0xFF8855), .unlit = true}, .pose = {.rotation = rotate_y(30_deg)}}};
+constexpr Object egg[] = {{.mesh = sphere<16, 8>.mesh(), .material = *find_material("pearl"), .pose = {.rotation = rotate_z(30_deg), .scale = {1, 0.5_q16, 2}}}};
+constexpr Object several[] = {{.mesh = torus<24, 12>.mesh(), .material = *find_material("emerald")},
+                              {.mesh = sphere<16, 8>.mesh(), .material = {.diffuse = rgb(0x8080FF), .specular = white, .shininess = 200, .shading = Shading::flat}},
+                              {.mesh = quad.mesh(), .material = {.diffuse = rgb(0x333333), .unlit = true}, .pose = {.scale = {3, 3, 3}, .translation = {0, 0, -1}}},
+                              {.mesh = cube.mesh(), .material = *find_material("emerald"), .pose = {.rotation = rotate_y(20_deg), .scale = {0.3_q16, 0.3_q16, 0.3_q16}}}};
+
+constexpr Scene torus_scene{.camera = near_by, .lights = lamps, .objects = brass_torus, .background = rgb(0x102040)};
+constexpr Scene flat_scene{.lights = sun, .objects = flat_sphere};
+constexpr Scene cube_scene{.camera = {.eye = {2, 2, 4}}, .objects = unlit_cube};
+constexpr Scene egg_scene{.camera = near_by, .lights = lamps, .objects = egg};
+constexpr Scene map_scene{.camera = {.eye = {1, 2, 4}, .projection = Projection::orthographic, .view_height = 3}, .lights = lamps, .objects = brass_torus};
+constexpr Scene crowd_scene{.camera = near_by, .lights = lamps, .objects = several, .background = rgb(0x203020)};
+constexpr Scene inside_scene{.camera = {.eye = {1.2_q16, 0.9_q16, 0.9_q16}, .near_distance = 0.9_q16}, .lights = lamps, .objects = several};
+
+template <class Renderer, class Format>
+std::vector<typename Format::Pixel> frame_of(Renderer& renderer, int32_t rows = screen.height) {
+    std::vector<typename Format::Pixel> pixels(static_cast<std::size_t>(screen.width * screen.height));
+    std::vector<uint16_t> depth(static_cast<std::size_t>(screen.width * rows));
+    renderer.begin({}, screen);
+    for (int32_t y = 0; y < screen.height; y += rows)
+        renderer.draw(Band<Format>{pixels.data() + y * screen.width, depth.data(), screen.width, y, std::min(rows, screen.height - y)});
+    return pixels;
+}
+
+template <const Scene& scene, class Tier, VertexStore Store = VertexStore::keep, Needs Have = needs_of(scene), uint32_t Slots = 64>
+std::vector<Rgb565::Pixel> compiled(int32_t rows = screen.height) {
+    auto memory = std::make_unique<Workspace<scene, Tier, Store, Slots>>();
+    Renderer<scene, Tier, Store, Have> renderer(*memory);
+    return frame_of<decltype(renderer), Rgb565>(renderer, rows);
+}
+
+template <class Tier>
+std::vector<Rgb565::Pixel> at_run_time(const Scene& scene) {
+    RuntimeRenderer<Tier> renderer(scene);
+    renderer.begin({}, screen);
+    return renderer.template draw<Rgb565>();
+}
+
+template <const Scene& s>
+struct Named {
+    static constexpr const Scene& scene = s;
+};
+
+template <class S>
+class OnePicture : public testing::Test {};
+using Scenes = testing::Types<Named<torus_scene>, Named<flat_scene>, Named<cube_scene>, Named<egg_scene>, Named<map_scene>, Named<crowd_scene>, Named<inside_scene>>;
+TYPED_TEST_SUITE(OnePicture, Scenes);
+
+TYPED_TEST(OnePicture, ShowsSomething) {
+    const auto pixels = compiled<TypeParam::scene, mediump>();
+    const auto background = nearest_pixel<Rgb565>(TypeParam::scene.background);
+    EXPECT_GT(std::count_if(pixels.begin(), pixels.end(), [&](auto p) { return p != background; }), 300);
+}
+TYPED_TEST(OnePicture, CompiledInEqualsRunTime) {
+    EXPECT_EQ((compiled<TypeParam::scene, lowp>()), at_run_time<lowp>(TypeParam::scene));
+    EXPECT_EQ((compiled<TypeParam::scene, mediump>()), at_run_time<mediump>(TypeParam::scene));
+    EXPECT_EQ((compiled<TypeParam::scene, highp>()), at_run_time<highp>(TypeParam::scene));
+}
+TYPED_TEST(OnePicture, BandsOfAnyHeightEqualTheFullFrame) {
+    const auto whole = compiled<TypeParam::scene, mediump>();
+    for (const int32_t rows : {1, 2, 7, 8, 31, 71}) EXPECT_EQ((compiled<TypeParam::scene, mediump>(rows)), whole) << rows << " rows";
+    EXPECT_EQ((compiled<TypeParam::scene, highp>(7)), (compiled<TypeParam::scene, highp>()));
+}
+TYPED_TEST(OnePicture, ReplayedVerticesEqualKeptOnes) {
+    const auto whole = compiled<TypeParam::scene, mediump>();
+    EXPECT_EQ((compiled<TypeParam::scene, mediump, VertexStore::replay>()), whole);
+    EXPECT_EQ((compiled<TypeParam::scene, mediump, VertexStore::replay>(8)), whole);
+    EXPECT_EQ((compiled<TypeParam::scene, mediump, VertexStore::replay, needs_of(TypeParam::scene), 1>(8)), whole) << "one slot";
+}
+TYPED_TEST(OnePicture, MoreNeedsDrawTheSameBits) {
+    EXPECT_EQ((compiled<TypeParam::scene, mediump, VertexStore::keep, all_needs>()), (compiled<TypeParam::scene, mediump>()));
+    constexpr Needs half = needs_of(TypeParam::scene) | needs_of(torus_scene);
+    EXPECT_EQ((compiled<TypeParam::scene, mediump, VertexStore::keep, half>()), (compiled<TypeParam::scene, mediump>()));
+}
+
+TEST(Renderer, LightsOnlyTheVerticesOfVisibleTriangles) {
+    auto memory = std::make_unique<Workspace<torus_scene, mediump>>();
+    Renderer<torus_scene, mediump> renderer(*memory);
+    frame_of<decltype(renderer), Rgb565>(renderer);
+    uint32_t lit = 0;
+    std::vector<bool> visible(brass_torus[0].mesh.positions.count, false);
+    for (const Triangle& t : brass_torus[0].mesh.triangles) {
+        const auto &a = memory->vertices[t.a], &b = memory->vertices[t.b], &c = memory->vertices[t.c];
+        if (doubled_area(a, b, c) < 0) visible[t.a] = visible[t.b] = visible[t.c] = true;
+    }
+    for (uint32_t i = 0; i < brass_torus[0].mesh.positions.count; ++i) {
+        const bool is = memory->vertices[i].flags & is_lit;
+        lit += is;
+        EXPECT_LE(is, visible[i]) << "vertex " << i << " faces away and was lit";
+    }
+    EXPECT_GT(lit, 100u);
+    EXPECT_LT(lit, brass_torus[0].mesh.positions.count * 3 / 4);
+}
+
+// A room seen from inside: a cube turned inside out covers every pixel, through the near plane and the guard band.
+constexpr Triangle inside_out[] = {{2, 1, 0}, {3, 2, 0}, {6, 5, 4}, {7, 6, 4}, {10, 9, 8}, {11, 10, 8}, {14, 13, 12}, {15, 14, 12}, {18, 17, 16}, {19, 18, 16}, {22, 21, 20}, {23, 22, 20}};
+
+TEST(Renderer, ARoomSeenFromInsideHasNoGaps) {
+    std::mt19937 random(7);
+    std::uniform_int_distribution<int32_t> inside(-60000, 60000), anywhere(-65536, 65536);
+    for (int i = 0; i < 300; ++i) {
+        Mesh room = cube.mesh();
+        room.triangles = inside_out;
+        const Object objects[] = {{.mesh = room, .material = {.diffuse = white, .unlit = true}, .pose = {.scale = {40, 40, 40}}}};
+        Scene scene{.objects = objects, .background = black};
+        const auto at = [&](auto& of) { return Vec3{Q16::from_raw(of(random)), Q16::from_raw(of(random)), Q16::from_raw(of(random))}; };
+        scene.camera = {.eye = at(inside) * Q16{36}, .target = at(anywhere) * Q16{40}, .fov_y = Angle{(1u << 28) + (static_cast<uint32_t>(i) << 21)},
+                        .near_distance = Q16::from_raw(1 + i * 500), .far_distance = 200};
+        const auto pixels = at_run_time<mediump>(scene);
+        EXPECT_EQ(std::count(pixels.begin(), pixels.end(), nearest_pixel<Rgb565>(white)), screen.width * screen.height) << "camera " << i;
+    }
+}
+
+TEST(Renderer, ConvexObjectsNeedNoDepth) {
+    static_assert(!needs_of(cube_scene).depth);
+    constexpr Needs with_depth = needs_of(cube_scene) | Needs{.depth = true};
+    EXPECT_EQ((compiled<cube_scene, mediump, VertexStore::keep, with_depth>()), (compiled<cube_scene, mediump>()));
+}
+
+TEST(Renderer, SwappedFramesAreTheFramesWithBytesSwapped) {
+    RuntimeRenderer<mediump> renderer(crowd_scene);
+    renderer.begin({}, screen);
+    auto pixels = renderer.draw<Rgb565Swapped>();
+    for (auto& p : pixels) p = static_cast<uint16_t>(p << 8 | p >> 8);
+    EXPECT_EQ(pixels, renderer.draw<Rgb565>());
+}
+
+// Nothing undefined whatever the numbers: the sanitizer build runs this, too.
+TEST(Renderer, SurvivesRandomScenes) {
+    std::mt19937 random(3);
+    const auto any = [&] { return Q16::from_raw(static_cast<int32_t>(random()) >> (random() % 31)); };
+    const auto vec = [&] { return Vec3{any(), any(), any()}; };
+    for (int i = 0; i < 3000; ++i) {
+        std::vector<Light> lights;
+        for (uint32_t k = random() % 4; k > 0; --k)
+            lights.push_back({.kind = static_cast<LightKind>(random() % 3), .position = vec(), .intensity = Scaled{static_cast<uint32_t>(random()) | 0x80000000u, static_cast<int>(random() % 40) - 20},
+                              .space = static_cast<Space>(random() % 3)});
+        Mesh mesh = random() % 2 ? torus<24, 12>.mesh() : cube.mesh();
+        mesh.fraction_bits = static_cast<int8_t>(random() % 31);
+        mesh.centre = vec();
+        Object object{.mesh = mesh, .material = classic_materials[random() % 24].material, .pose = {rotate_x({static_cast<uint32_t>(random())}), {any(), any(), any()}, vec()}};
+        object.material.shading = static_cast<Shading>(random() % 2);
+        object.material.shininess = any();
+        const Scene scene{.camera = {vec(), vec(), vec(), static_cast<Projection>(random() % 2), static_cast<Viewer>(random() % 2), {static_cast<uint32_t>(random())}, any(), any(), any()},
+                          .lights = {lights.data(), static_cast<uint32_t>(lights.size())}, .objects = {&object, 1}};
+        const Viewport viewport{1 + static_cast<int>(random() % 48), 1 + static_cast<int>(random() % 32)};
+        const auto draw = [&](auto tier) {
+            RuntimeRenderer<decltype(tier)> renderer(scene);
+            renderer.begin({}, viewport);
+            renderer.template draw<Rgb565>();
+            renderer.template draw<Rgb888>();
+        };
+        i % 3 == 0 ? draw(lowp{}) : i % 3 == 1 ? draw(mediump{}) : draw(highp{});
+    }
+}
+
+}  // namespace
+}  // namespace shade16::host
