@@ -4,8 +4,8 @@
 using namespace shade16;
 
 constexpr Light lights[] = {
-    ambient_light(rgb(0x404040)),
-    directional_light({-5, 9, 8}, white, 0.7_scaled),
+    ambient_light(rgb(0x484848)),
+    directional_light({-5, 5, 9}, white, 0.7_scaled),
     point_light({4, 1, 3}, rgb(0x9FB8FF), 0.25_scaled),
 };
 constexpr Object objects[] = {

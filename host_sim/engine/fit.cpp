@@ -10,7 +10,7 @@
 namespace shade16::host {
 
 namespace {
-constexpr double wanted_cover = 0.66, wanted_saturation = 0.005;
+constexpr double wanted_cover = 0.66, wanted_saturation = 0.008;
 constexpr int sampled_turns = 24, lit_turns = 8;
 constexpr Viewport trial_viewport{160, 120};
 
@@ -99,9 +99,9 @@ Camera fitting_camera(const ModelScene& scene, Viewport viewport, FitFigures& fi
 }
 
 std::vector<Light> light_rig() {
-    Light key = directional_light({-5, 9, 8});
+    Light key = directional_light({-5, 5, 9});
     Light lamp = point_light({4, 1, 3}, rgb(0x9FB8FF), scaled(0.25));
-    return {ambient_light(rgb(0x404040)), key, lamp};
+    return {ambient_light(rgb(0x484848)), key, lamp};
 }
 
 Scaled fitting_key(const ModelScene& scene, Light& key, Viewport, FitFigures& figures) {

@@ -15,7 +15,7 @@ Camera fitting_camera(const ModelScene& scene, Viewport viewport, FitFigures& fi
 std::vector<Light> light_rig();
 inline constexpr std::size_t key_light = 1;
 
-/// The strongest key light that leaves fewer than half a percent of the model's pixels saturated. `key` is the rig's own,
+/// The strongest key light that leaves fewer than one in 125 of the model's pixels saturated. `key` is the rig's own,
 /// and is tried at several strengths.
 Scaled fitting_key(const ModelScene& scene, Light& key, Viewport viewport, FitFigures& figures);
 
