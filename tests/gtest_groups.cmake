@@ -34,3 +34,9 @@ foreach(group IN ITEMS accuracy system)
     target_link_libraries(${group}_tests PRIVATE host_sim_library)
   endif()
 endforeach()
+
+# Some run the program as its users do.
+if(TARGET system_tests AND TARGET shade16)
+  target_compile_definitions(system_tests PRIVATE SHADE16_PROGRAM="$<TARGET_FILE:shade16>")
+  add_dependencies(system_tests shade16)
+endif()

@@ -17,14 +17,14 @@ using testing::IsEmpty;
 
 TEST(CliInterruption, a_closed_pipe_is_no_error) {
     const ScratchDirectory scratch;
-    for (const std::string command : {"render " + teapot() + " -o -", "render " + teapot() + " -o /dev/stdout"}) {
+    for (const std::string& command : {"render " + teapot() + " -o -", "render " + teapot() + " -o /dev/stdout"}) {
         const Ran ran =
             run_shell("{ \"$shade16\" " + command + "; echo $? >" + scratch.path("status") + "; } | head -c 100");
         EXPECT_EQ(ran.out.size(), 100u);
         EXPECT_THAT(ran.err, IsEmpty());
         EXPECT_EQ(scratch.read("status"), "0\n");
     }
-    for (const std::string command : {"compare " + teapot(), std::string("--help")}) {
+    for (const std::string& command : {"compare " + teapot(), std::string("--help")}) {
         // The reader is gone before the program begins.
         const Ran ran =
             run_shell("{ sleep 0.2; \"$shade16\" " + command + "; echo $? >" + scratch.path("status") + "; } | true");

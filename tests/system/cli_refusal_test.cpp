@@ -52,10 +52,17 @@ TEST(CliRefusal, a_missing_model) {
     EXPECT_THAT(scratch.names(), IsEmpty());
 }
 
-TEST(CliRefusal, an_unreadable_model) {
+TEST(CliRefusal, a_model_that_cannot_be_read) {
     const ScratchDirectory scratch;
     expect_refusal(shade16_program("compare " + scratch.path("")), 2, "is a directory; expected a text file.");
+    const std::string unmapped = "/proc/self/mem";  // opens, but reading its first byte fails
+    if (std::filesystem::exists(unmapped))
+        expect_refusal(shade16_program("compare " + unmapped), 3, unmapped + ": cannot be read to its end.");
+}
+
+TEST(CliRefusal, a_model_that_the_user_may_not_read) {
     if (geteuid() == 0) GTEST_SKIP() << "root reads every file.";
+    const ScratchDirectory scratch;
     const std::string model = scratch.write("m.obj", triangle);
     std::filesystem::permissions(model, std::filesystem::perms::none);
     expect_refusal(shade16_program("compare " + model), 2, "m.obj: cannot be opened: Permission denied.");
@@ -113,8 +120,8 @@ TEST(CliRefusal, an_unwritable_output_is_a_failure_of_the_machine) {
 
 TEST(CliRefusal, a_full_disk) {
     if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full.";
-    for (const std::string command : {"render " + teapot() + " -o -", "bake " + teapot() + " -o -",
-                                      "compare " + teapot(), std::string("--help"), std::string("--version")}) {
+    for (const std::string& command : {"render " + teapot() + " -o -", "bake " + teapot() + " -o -",
+                                       "compare " + teapot(), std::string("--help"), std::string("--version")}) {
         SCOPED_TRACE(command);
         expect_refusal(shade16_program(command + " >/dev/full"), 3,
                        "standard output: cannot be written: No space left");

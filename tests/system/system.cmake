@@ -22,6 +22,13 @@ shade16_add_script_test(includes_point_one_way LABEL system SCRIPT system/includ
 shade16_add_script_test(core_has_no_floating_point LABEL system SCRIPT system/no_floating_point.cmake
   SOURCE=${PROJECT_SOURCE_DIR})
 
+# What is written down is what there is.
+shade16_add_script_test(readme_shows_the_program LABEL system SCRIPT system/readme_program.cmake SOURCE=${PROJECT_SOURCE_DIR})
+if(TARGET shade16)
+  shade16_add_script_test(baked_assets_are_fresh LABEL system SCRIPT system/baked_assets.cmake SOURCE=${PROJECT_SOURCE_DIR}
+    PROGRAM=$<TARGET_FILE:shade16> SCRATCH=${CMAKE_CURRENT_BINARY_DIR}/baked_assets)
+endif()
+
 # The core with no C++ library, on every kind of machine.
 function(shade16_freestanding target alone compiler)
   list(JOIN ARGN " " flags)

@@ -1,0 +1,20 @@
+# The baked models under assets/ are what `shade16 bake` makes of the models beside them today.
+cmake_minimum_required(VERSION 3.25)
+
+file(GLOB headers ${SOURCE}/assets/*.hpp)
+if(NOT headers)
+  message(FATAL_ERROR "There is no baked model under assets/: this test would pass without looking at anything.")
+endif()
+file(MAKE_DIRECTORY ${SCRATCH})
+foreach(header IN LISTS headers)
+  cmake_path(GET header STEM name)
+  execute_process(COMMAND ${PROGRAM} bake ${SOURCE}/assets/${name}.obj -o ${SCRATCH}/${name}.hpp
+    RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE message)
+  if(status)
+    message(FATAL_ERROR "'shade16 bake' ended with ${status}: ${message}")
+  endif()
+  execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${header} ${SCRATCH}/${name}.hpp RESULT_VARIABLE differs)
+  if(differs)
+    message(FATAL_ERROR "assets/${name}.hpp is stale: run 'shade16 bake assets/${name}.obj -o assets/${name}.hpp'.")
+  endif()
+endforeach()
