@@ -88,7 +88,7 @@ Q16 fitting_scale(const BakedModel& model) {
 
 Camera fitting_camera(const ModelScene& scene, Viewport viewport, FitFigures& figures) {
     const double size = radius(scene.baked()) * reference::value(scene.poses({})[0].scale.x);
-    double near = size * 1.05, far = size * 400;
+    double near = size * 1.05, far = size * 8000;
     for (int step = 0; step < 24; ++step) {
         const double middle = std::sqrt(near * far);
         (covers_over_turn(scene, camera_at(middle, size), viewport).second > wanted_cover ? near : far) = middle;

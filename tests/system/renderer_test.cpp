@@ -120,17 +120,22 @@ TEST(Renderer, LightsOnlyTheVerticesOfVisibleTriangles) {
 // A room seen from inside: a cube turned inside out covers every pixel, through the near plane and the guard band.
 constexpr Triangle inside_out[] = {{2, 1, 0}, {3, 2, 0}, {6, 5, 4}, {7, 6, 4}, {10, 9, 8}, {11, 10, 8}, {14, 13, 12}, {15, 14, 12}, {18, 17, 16}, {19, 18, 16}, {22, 21, 20}, {23, 22, 20}};
 
+constexpr Q16 room_size = 40;
+
 TEST(Renderer, ARoomSeenFromInsideHasNoGaps) {
     std::mt19937 random(7);
     std::uniform_int_distribution<int32_t> inside(-60000, 60000), anywhere(-65536, 65536);
     for (int i = 0; i < 300; ++i) {
         Mesh room = cube.mesh();
         room.triangles = inside_out;
-        const Object objects[] = {{.mesh = room, .material = {.diffuse = white, .unlit = true}, .pose = {.scale = {40, 40, 40}}}};
+        const Object objects[] = {{.mesh = room, .material = {.diffuse = white, .unlit = true}, .pose = {.scale = {room_size, room_size, room_size}}}};
         Scene scene{.objects = objects, .background = black};
         const auto at = [&](auto& of) { return Vec3{Q16::from_raw(of(random)), Q16::from_raw(of(random)), Q16::from_raw(of(random))}; };
-        scene.camera = {.eye = at(inside) * Q16{36}, .target = at(anywhere) * Q16{40}, .fov_y = Angle{(1u << 28) + (static_cast<uint32_t>(i) << 21)},
-                        .near_distance = Q16::from_raw(1 + i * 500), .far_distance = 200};
+        scene.camera.eye = at(inside) * room_size;
+        scene.camera.target = at(anywhere) * room_size;
+        scene.camera.fov_y = Angle{(1u << 28) + (static_cast<uint32_t>(i) << 21)};
+        scene.camera.near_distance = Q16::from_raw(1 + i * 500);
+        scene.camera.far_distance = Q16::from_int(200);
         const auto pixels = at_run_time<mediump>(scene);
         EXPECT_EQ(std::count(pixels.begin(), pixels.end(), nearest_pixel<Rgb565>(white)), screen.width * screen.height) << "camera " << i;
     }
