@@ -20,7 +20,7 @@ struct LightShare {
     glm::dvec3 diffuse{}, specular{};  // specular as if the gate were open
     double n_dot_l = 0;
     double half_length = 2;  // |L + V|
-    double arriving = 0;     // the light's intensity here
+    double arriving = 0;     // the light's intensity here, attenuation included
 };
 
 /// A point's colour in parts: base + color * diffuse + specular, not saturated.

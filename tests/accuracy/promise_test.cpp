@@ -101,6 +101,10 @@ TYPED_TEST(Promises, HoldForLampsFarAway) {
     this->expect_held(this->search(5, {.max_distance = 16000}, 60, 6), "lamps and eye far away");
 }
 
+TYPED_TEST(Promises, HoldForLampsThatFadeWithDistance) {
+    this->expect_held(this->search(8, {.attenuation = true}, 100, 8), "attenuation, n <= 128");
+}
+
 // A fourth tier, as a user may write it: the code sizes itself from the promise.
 struct fine {
     static constexpr const char* name = "fine";

@@ -47,6 +47,7 @@ struct SurfaceOptions {
     double min_exponent = 1, max_exponent = 128;
     int lights = 1;
     bool stretch = false;
+    bool attenuation = false;
     double max_distance = 400;  // of lights and eye, in model radii
 };
 
@@ -100,6 +101,13 @@ private:
             if (options.lights > 1) {
                 light.diffuse = random.color(), light.specular = random.color();
                 light.intensity = Scaled::normalized(static_cast<uint64_t>(random.log_uniform(0.01, 4) * 65536), -16);
+            }
+            if (options.attenuation) {
+                // Strong enough to arrive at about 1.0 where it stands, however far that is.
+                const double d = glm::length(reference::value(light.position));
+                light.attenuation = {q16(random.uniform(0, 1)), q16(random.uniform(0, 1)), q16(random.log_uniform(0.001, 1))};
+                const double fading = reference::value(light.attenuation.constant) + reference::value(light.attenuation.linear) * d + reference::value(light.attenuation.quadratic) * d * d;
+                light.intensity = Scaled::normalized(static_cast<uint64_t>(std::max(fading, 1e-3) * 65536), -16);
             }
             lights_.push_back(light);
         }

@@ -164,7 +164,7 @@ TEST(Renderer, SurvivesRandomScenes) {
         std::vector<Light> lights;
         for (uint32_t k = random() % 4; k > 0; --k)
             lights.push_back({.kind = static_cast<LightKind>(random() % 3), .position = vec(), .intensity = Scaled{static_cast<uint32_t>(random()) | 0x80000000u, static_cast<int>(random() % 40) - 20},
-                              .space = static_cast<Space>(random() % 3)});
+                              .space = static_cast<Space>(random() % 3), .attenuation = {any(), any(), any()}});
         Mesh mesh = random() % 2 ? torus<24, 12>.mesh() : cube.mesh();
         mesh.fraction_bits = static_cast<int8_t>(random() % 31);
         mesh.centre = vec();

@@ -22,7 +22,7 @@ SHADE16_INLINE constexpr void accumulate(uint32_t& sum, uint32_t term) {
 /// product * 2^-shift as a term, rounded down to 2^-24. A negative shift is that of a very strong lamp: saturated.
 SHADE16_INLINE constexpr uint32_t scaled_term(uint32_t product, int shift) {
     if (shift >= 0) return shift > 31 ? 0 : product >> shift;
-    return leading_zeros(product) >= -shift ? product << min(-shift, 31) : UINT32_MAX;
+    return leading_zeros(product) >= -shift || product == 0 ? product << min(-shift, 31) : UINT32_MAX;
 }
 
 /// A colour as the accumulator holds it: 65535 becomes exactly 1.0, everything else is within one unit.

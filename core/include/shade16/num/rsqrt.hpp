@@ -2,7 +2,7 @@
 // table plus Newton at every size below 2^-14.
 #pragma once
 
-#include "shade16/num/mulhi.hpp"
+#include "shade16/num/scaled.hpp"
 
 namespace shade16 {
 
@@ -71,6 +71,17 @@ SHADE16_INLINE constexpr uint32_t rsqrt_step(uint32_t r, uint32_t s) {
 /// Source  Newton's method, one step on the table of 49 entries.
 SHADE16_INLINE constexpr uint32_t rsqrt_newton(uint32_t s) {
     return detail::rsqrt_step(rsqrt_linear<6>(s) << 16, s);
+}
+
+/// sqrt(x).
+/// Range   any x; 0 gives 0.
+/// Error   relative 2^-23, rsqrt_newton_max_error and one rounding.
+/// Source  sqrt(x) = x / sqrt(x).
+constexpr Scaled sqrt(Scaled x) {
+    if (x.is_zero()) return {};
+    const int odd = x.exponent & 1;
+    const uint32_t s = x.mantissa >> odd;  // x = s * 2^(exponent + odd - 32), an even power
+    return Scaled::normalized(multiply(s, rsqrt_newton(s)), (x.exponent + odd) / 2 - 63);
 }
 
 }  // namespace shade16

@@ -42,6 +42,13 @@ struct Scaled {
         return shift > -32 ? mantissa >> -shift : 0;
     }
 
+    /// The sum. Error: 2^-31 relative.
+    friend constexpr Scaled operator+(Scaled a, Scaled b) {
+        if (a.is_zero() || b.is_zero()) return a.is_zero() ? b : a;
+        if (a.exponent < b.exponent) return b + a;
+        const int apart = min(a.exponent - b.exponent, 32);
+        return normalized((uint64_t{a.mantissa} << 30) + (uint64_t{b.mantissa} << 30 >> apart), a.exponent - 62);
+    }
     /// The product. Error: 2^-32 relative.
     friend constexpr Scaled operator*(Scaled a, Scaled b) {
         return normalized(multiply(a.mantissa, b.mantissa), a.exponent + b.exponent - 64);

@@ -13,9 +13,14 @@ struct DepthPlane {
     template <PrecisionTier Tier>
     constexpr DepthPlane(const TriangleSetup<Tier>& t, RasterPoint from_corner) {
         const int32_t z0 = t.corner[0]->z, d1 = t.corner[1]->z - z0, d2 = t.corner[2]->z - z0;
-        if (t.is_compact) {
-            step_x = t.inverse.times(t.slope_x(d1, d2), 20);
-            step_y = t.inverse.times(t.slope_y(d1, d2), 20);
+        if (t.is_compact()) {
+            // |slope| < 2^(17 + reach_bits): lifted to 30 bits, so that small triangles keep their digits.
+            const int lift = 13 - t.reach_bits, right = 10 + lift - t.inverse.shift;
+            step_x = mulhi(shift_left(t.slope_x(d1, d2), lift), t.inverse.mantissa);
+            step_y = mulhi(shift_left(t.slope_y(d1, d2), lift), t.inverse.mantissa);
+            if (right >= 0) step_x >>= min(right, 31), step_y >>= min(right, 31);
+            else if ((magnitude(step_x) | magnitude(step_y)) >> max(30 + right, 0) == 0) step_x = shift_left(step_x, -right), step_y = shift_left(step_y, -right);
+            else step_x = step_y = INT32_MAX;
         } else {
             step_x = t.inverse.times(t.long_slope_x(d1, d2), 20);
             step_y = t.inverse.times(t.long_slope_y(d1, d2), 20);

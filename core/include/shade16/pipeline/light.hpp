@@ -59,13 +59,28 @@ SHADE16_INLINE constexpr Normal14 half_of(const Normal14& l, const Normal14& v, 
 }
 SHADE16_INLINE constexpr Normal30 half_of(const Normal30& l, const Normal30& v, int) { return half_vector(l, v); }
 
-/// sum += product * factor.
+/// sum += product * factor * 2^exponent.
 template <bool Wide>
-SHADE16_INLINE constexpr void add_term(Accumulator& sum, const LightProduct& p, uint32_t factor) {
-    const auto term = [&](uint32_t m) { return scaled_term(Wide ? mulhi(m, factor) : m * factor, 8 - p.exponent); };
+SHADE16_INLINE constexpr void add_term(Accumulator& sum, const LightProduct& p, uint32_t factor, int exponent) {
+    const int shift = 8 - p.exponent - exponent;
+    const auto term = [&](uint32_t m) { return scaled_term(Wide ? mulhi(m, factor) : m * factor, shift); };
     accumulate(sum.r, term(p.r));
     accumulate(sum.g, term(p.g));
     accumulate(sum.b, term(p.b));
+}
+
+/// A factor of add_term times an attenuation's mantissa; the exponent goes along apart.
+template <bool Wide>
+SHADE16_INLINE constexpr uint32_t attenuated(uint32_t factor, Scaled attenuation) {
+    return Wide ? mulhi(factor, attenuation.mantissa) : mulhi(factor << 16, attenuation.mantissa) >> 16;
+}
+
+/// The attenuation at the end of a vector that `towards` gave.
+SHADE16_ONCE constexpr Scaled attenuation_along(const LatticeAttenuation& a, IVec3 v, int32_t count) {
+    const uint64_t squared = static_cast<uint64_t>(multiply(v.x, v.x)) + static_cast<uint64_t>(multiply(v.y, v.y)) + static_cast<uint64_t>(multiply(v.z, v.z));
+    const Scaled squared_distance = Scaled::normalized(squared, 0);
+    constexpr Scaled ninth{0xE38E38E4u, -3};
+    return a.at(count == 3 ? squared_distance * ninth : squared_distance);
 }
 
 SHADE16_INLINE constexpr void modulate(Accumulator& sum, const Rgb& c) {
@@ -93,19 +108,32 @@ constexpr Accumulator light_point(const ObjectLighting<Tier>& object, View<Objec
     for (const ObjectLight<Tier>& light : lights) {
         UnitVector<Tier> direction = light.direction;
         const bool is_point = N.point && (!N.directional || light.is_point);
+        IVec3 to_light{};
         if constexpr (N.point)
-            if (is_point) direction = UnitVectorOf<Tier>::normalize(detail::towards(light.point, position, stretched, object.stretch));
+            if (is_point) {
+                to_light = detail::towards(light.point, position, stretched, object.stretch);
+                direction = UnitVectorOf<Tier>::normalize(to_light);
+            }
 
-        const uint32_t n_dot_l = detail::cosine(normal, direction);
+        uint32_t n_dot_l = detail::cosine(normal, direction);
         if (n_dot_l == 0) continue;
-        if constexpr (N.diffuse) detail::add_term<wide>(sum, light.diffuse, n_dot_l);
+        Scaled fading{};
+        const bool fades = N.attenuation && is_point && light.attenuation.fades;
+        if constexpr (N.attenuation)
+            if (fades) {
+                fading = detail::attenuation_along(light.attenuation, to_light, position.count);
+                n_dot_l = detail::attenuated<wide>(n_dot_l, fading);
+            }
+        if constexpr (N.diffuse) detail::add_term<wide>(sum, light.diffuse, n_dot_l, fading.exponent);
         if constexpr (N.specular) {
             if (shininess == nullptr) continue;
             UnitVector<Tier> half = light.half;
             if (is_point || local_viewer) half = detail::half_of(direction, view, Arithmetic<Tier>::rsqrt_bits);
             if (detail::is_zero(half)) continue;
-            if (const uint32_t power = shininess->power(detail::chord(normal, half)); power != 0)
-                detail::add_term<wide>(shine, light.specular, power);
+            uint32_t power = shininess->power(detail::chord(normal, half));
+            if constexpr (N.attenuation)
+                if (fades) power = detail::attenuated<wide>(power, fading);
+            if (power != 0) detail::add_term<wide>(shine, light.specular, power, fading.exponent);
         }
     }
     if constexpr (N.vertex_colors)

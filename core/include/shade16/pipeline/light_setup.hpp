@@ -46,9 +46,21 @@ struct LightProduct {
     constexpr bool is_zero() const { return (r | g | b) == 0; }
 };
 
+/// A point light's attenuation in powers of a distance in units of its LatticePoint.
+struct LatticeAttenuation {
+    bool fades = false;
+    Scaled constant{}, linear{}, quadratic{};
+
+    /// 1 / (constant + linear d + quadratic d^2) at the squared distance d^2. Error: relative 2^-22.
+    SHADE16_ONCE constexpr Scaled at(Scaled squared_distance) const {
+        return reciprocal(constant + linear * sqrt(squared_distance) + quadratic * squared_distance);
+    }
+};
+
 template <PrecisionTier Tier>
 struct ObjectLight {
     bool is_point = false;
+    LatticeAttenuation attenuation{};
     LatticePoint point{};          // of a point light
     UnitVector<Tier> direction{};  // of a directional one, towards the light
     UnitVector<Tier> half{};       // and, with an infinite viewer, the half vector
@@ -132,6 +144,13 @@ struct LightingFrame {
     constexpr LightingFrame(const Pose& p, const Mesh& m)
         : pose(p), mesh(m), inverse_scale(lattice_steps(p.scale, m.fraction_bits)), to_object(transpose(p.rotation)) {}
 
+    /// The attenuation, for distances in 2^-bits of the lattice.
+    constexpr LatticeAttenuation attenuation(const Attenuation& a, int bits) const {
+        const auto scaled = [](Q16 v) { return Scaled::normalized(magnitude(max(v.raw, int32_t{0})), -16); };
+        Scaled unit = reciprocal(inverse_scale);  // world units a lattice step
+        unit.exponent = static_cast<int16_t>(unit.exponent - bits);
+        return {a != Attenuation{}, scaled(a.constant), scaled(a.linear) * unit, scaled(a.quadratic) * unit * unit};
+    }
     /// A direction in the world.
     constexpr Normal30 direction(const Normal30& world) const { return to_object_direction(world); }
     /// A point in the world.
@@ -194,6 +213,7 @@ constexpr ObjectLight<Tier> make_object_light(const Camera& camera, const Mat3& 
         if (light.space == Space::object) o.point = frame.object_point(light.position);
         else if (light.space == Space::world) o.point = frame.point(as_block(light.position));
         else o.point = frame.point(to_world * as_block(light.position) + as_block(camera.eye));
+        o.attenuation = frame.attenuation(light.attenuation, o.point.bits);
         return o;
     }
     Normal30 direction = normalize(light.position);

@@ -97,7 +97,7 @@ public:
 private:
     /// A barycentric coordinate as Q30, in [0, 1].
     constexpr int32_t weight(int64_t numerator) const {
-        return clamp<int32_t>(t_.inverse.times(t_.middle_is_right ? numerator : -numerator, 30), 0, int32_t{1} << 30);
+        return clamp<int32_t>(t_.inverse.times(numerator, 30), 0, int32_t{1} << 30);
     }
     template <class T>
     constexpr int32_t mixed(T ScreenVertex<Tier>::*attribute, int32_t w1, int32_t w2) const {

@@ -56,9 +56,11 @@ private:
         constexpr int down = ScreenVertex<Tier>::channel_bits - 15;
         const auto at = [&](int i) { return static_cast<int32_t>(t.corner[i]->*channel >> down); };
         const int32_t c0 = at(0), d1 = at(1) - c0, d2 = at(2) - c0;
-        if (t.is_compact) {
-            dx = inverse.times(t.slope_x(d1, d2), exponent);
-            dy = inverse.times(t.slope_y(d1, d2), exponent);
+        if (t.is_compact()) {
+            // |slope| < 2^(16 + reach_bits): lifted to 30 bits. No sliver, so area > 2^(reach_bits + 1) and right >= 2.
+            const int lift = 14 - t.reach_bits, right = 30 + lift - exponent - inverse.shift;
+            dx = mulhi(shift_left(t.slope_x(d1, d2), lift), inverse.mantissa) >> right;
+            dy = mulhi(shift_left(t.slope_y(d1, d2), lift), inverse.mantissa) >> right;
         } else {
             dx = inverse.times(t.long_slope_x(d1, d2), exponent);
             dy = inverse.times(t.long_slope_y(d1, d2), exponent);

@@ -50,14 +50,20 @@ public:
             const Object& object = prepared_.scene.objects[i];
             if constexpr (Store == VertexStore::replay)
                 for (uint32_t slot = 0; slot < work_.slots; ++slot) work_.tags[slot] = 0;
-            for (uint32_t face = 0; face < object.mesh.triangles.count; ++face) draw_face(band, object, work_.objects[i], face);
+            draw_object(band, object, work_.objects[i]);
         }
     }
 
     /// A vertex as it was transformed, lit now if no triangle did so before: for tests and comparisons.
     constexpr Vertex lit_vertex(uint32_t object, uint32_t index) {
-        Vertex v = load(prepared_.scene.objects[object], work_.objects[object], index);
-        light_vertex(prepared_.scene.objects[object], work_.objects[object], index, v);
+        const Object& of = prepared_.scene.objects[object];
+        const ObjectState<Tier>& state = work_.objects[object];
+        if constexpr (Store == VertexStore::keep) {
+            light_vertex(of, state, index, work_.vertices[state.first_vertex + index]);
+            return work_.vertices[state.first_vertex + index];
+        }
+        Vertex v = replayed(of, state, index);
+        light_vertex(of, state, index, v);
         return v;
     }
     /// The same for a face of a flat object.
@@ -94,10 +100,9 @@ private:
         if (out.flags == 0) project(t, v, out);
     }
 
-    // A vertex by value, from the store. With `replay` two corners of one triangle may share a slot, so nobody keeps a
-    // reference into it.
-    constexpr Vertex load(const Object& object, const ObjectState<Tier>& state, uint32_t index) {
-        if constexpr (Store == VertexStore::keep) return work_.vertices[state.first_vertex + index];
+    // With `replay` two corners of one triangle may share a slot, so nobody keeps a reference into the cache: a vertex is
+    // copied out, and back once it is lit.
+    constexpr Vertex replayed(const Object& object, const ObjectState<Tier>& state, uint32_t index) {
         const uint32_t slot = index & (work_.slots - 1);
         if (work_.tags[slot] != index + 1) {
             work_.tags[slot] = index + 1;
@@ -105,9 +110,9 @@ private:
         }
         return work_.vertices[slot];
     }
-    constexpr void keep_color(const ObjectState<Tier>& state, uint32_t index, const Vertex& v) {
-        if constexpr (Store == VertexStore::keep) work_.vertices[state.first_vertex + index] = v;
-        else if (const uint32_t slot = index & (work_.slots - 1); work_.tags[slot] == index + 1) work_.vertices[slot] = v;
+    constexpr void keep_replayed(uint32_t index, const Vertex& v) {
+        const uint32_t slot = index & (work_.slots - 1);
+        if (work_.tags[slot] == index + 1) work_.vertices[slot] = v;
     }
 
     constexpr View<ObjectLight<Tier>> lights_of(const ObjectState<Tier>& state) const {
@@ -117,7 +122,7 @@ private:
 
     constexpr void light_vertex(const Object& object, const ObjectState<Tier>& state, uint32_t index, Vertex& v) {
         if (v.flags & is_lit) return;
-        const Rgb* color = color_of(object.mesh, index);
+        const Rgb* const color = color_of(object.mesh, index);
         if (N.unlit && (!N.lit || object.material.unlit)) {
             Accumulator sum = state.lighting.base;
             if constexpr (N.vertex_colors)
@@ -129,7 +134,7 @@ private:
                 object.mesh.normals.empty() ? UnitVector<Tier>{} : lighting_normal<N>(state.lighting, object.mesh.normals[index]);
             v.set_color(light_point<N>(state.lighting, lights_of(state), state.shininess, {raw(p), 1}, normal, color));
         }
-        keep_color(state, index, v);
+        if constexpr (Store == VertexStore::replay) keep_replayed(index, v);
     }
 
     constexpr FaceColor<Tier> light_face(const Object& object, const ObjectState<Tier>& state, uint32_t face) {
@@ -147,31 +152,61 @@ private:
         return color;
     }
 
-    constexpr void color_corners(const Object& object, const ObjectState<Tier>& state, uint32_t face, Vertex (&v)[3]) {
+    struct Corners {
+        Vertex *a, *b, *c;
+    };
+    /// The corners with their colours: lit in place, or, where the face is flat, in copies that the caller keeps.
+    struct FlatCorners {
+        Vertex v[N.flat ? 3 : 1];
+    };
+    constexpr Corners color_corners(const Object& object, const ObjectState<Tier>& state, uint32_t face, Corners v, FlatCorners& flat) {
         if constexpr (N.flat)
             if (!N.gouraud || detail::is_flat(object.material)) {
                 const FaceColor<Tier> color = light_face(object, state, face);
-                for (Vertex& corner : v) corner.r = color.r, corner.g = color.g, corner.b = color.b;
-                return;
+                flat.v[0] = *v.a, flat.v[1] = *v.b, flat.v[2] = *v.c;
+                for (Vertex& corner : flat.v) corner.r = color.r, corner.g = color.g, corner.b = color.b;
+                return {&flat.v[0], &flat.v[1], &flat.v[2]};
             }
         const Triangle t = object.mesh.triangles[face];
-        light_vertex(object, state, t.a, v[0]);
-        light_vertex(object, state, t.b, v[1]);
-        light_vertex(object, state, t.c, v[2]);
+        if ((v.a->flags & is_lit) == 0) light_vertex(object, state, t.a, *v.a);
+        if ((v.b->flags & is_lit) == 0) light_vertex(object, state, t.b, *v.b);
+        if ((v.c->flags & is_lit) == 0) light_vertex(object, state, t.c, *v.c);
+        return v;
     }
 
     template <PixelFormat Format>
-    constexpr void draw_face(const Band<Format>& band, const Object& object, const ObjectState<Tier>& state, uint32_t face) {
-        const Triangle t = object.mesh.triangles[face];
-        Vertex v[3] = {load(object, state, t.a), load(object, state, t.b), load(object, state, t.c)};
-        if (v[0].flags & v[1].flags & v[2].flags & outside_any) return;
-        if ((v[0].flags | v[1].flags | v[2].flags) & outside_any) return draw_clipped(band, object, state, face, v);
-        const int64_t area = doubled_area(v[0], v[1], v[2]);
+    constexpr void draw_object(const Band<Format>& band, const Object& object, const ObjectState<Tier>& state) {
+        const Triangle* const triangles = object.mesh.triangles.first;
+        const uint32_t count = object.mesh.triangles.count;
+        Vertex* const kept = work_.vertices + state.first_vertex;
+        for (uint32_t face = 0; face < count; ++face) {
+            const Triangle t = triangles[face];
+            if constexpr (Store == VertexStore::keep) {
+                draw_face(band, object, state, face, {kept + t.a, kept + t.b, kept + t.c});
+            } else {
+                Vertex v[3] = {replayed(object, state, t.a), replayed(object, state, t.b), replayed(object, state, t.c)};
+                draw_face(band, object, state, face, {&v[0], &v[1], &v[2]});
+            }
+        }
+    }
+
+    template <PixelFormat Format>
+    SHADE16_INLINE constexpr void draw_face(const Band<Format>& band, const Object& object, const ObjectState<Tier>& state, uint32_t face, Corners v) {
+        if (v.a->flags & v.b->flags & v.c->flags & outside_any) return;
+        if ((v.a->flags | v.b->flags | v.c->flags) & outside_any) return draw_clipped(band, object, state, face, v);
+        const int64_t area = doubled_area(*v.a, *v.b, *v.c);
         if (area >= 0) return;  // facing away, or edge on
-        const PixelBox box = visible_box(band, v[0], v[1], v[2]);
+        draw_facing(band, object, state, face, v, static_cast<uint64_t>(-area));
+    }
+
+    template <PixelFormat Format>
+    [[gnu::noinline]] constexpr void draw_facing(const Band<Format>& band, const Object& object, const ObjectState<Tier>& state, uint32_t face, Corners v,
+                                                 uint64_t area) {
+        const PixelBox box = visible_box(band, *v.a, *v.b, *v.c);
         if (box.is_empty()) return;
-        color_corners(object, state, face, v);
-        raster<Tier::stepping, N.depth>(set_up(v[0], v[1], v[2], centre(), static_cast<uint64_t>(-area)), box, band);
+        FlatCorners flat;
+        const Corners colored = color_corners(object, state, face, v, flat);
+        raster<Tier::stepping, N.depth>(set_up(*colored.a, *colored.b, *colored.c, centre(), area), box, band);
     }
 
     constexpr RasterPoint centre() const { return {viewport_.width * 8, viewport_.height * 8}; }
@@ -183,18 +218,20 @@ private:
     /// A triangle through the near plane or the guard band: clipped to a fan. It is lit only if some of it shows.
     template <PixelFormat Format>
     [[gnu::noinline]] constexpr void draw_clipped(const Band<Format>& band, const Object& object, const ObjectState<Tier>& state, uint32_t face,
-                                                  Vertex (&v)[3]) {
+                                                  Corners v) {
         if (!draw_fan<false>(band, object, state, face, v)) return;
-        color_corners(object, state, face, v);
-        draw_fan<true>(band, object, state, face, v);
+        FlatCorners flat;
+        draw_fan<true>(band, object, state, face, color_corners(object, state, face, v, flat));
     }
 
     template <bool Paint, PixelFormat Format>
-    constexpr bool draw_fan(const Band<Format>& band, const Object& object, const ObjectState<Tier>& state, uint32_t face, const Vertex (&v)[3]) {
+    constexpr bool draw_fan(const Band<Format>& band, const Object& object, const ObjectState<Tier>& state, uint32_t face, Corners v) {
         const Triangle t = object.mesh.triangles[face];
-        const uint16_t index[3] = {t.a, t.b, t.c};
         ClipPolygon<Tier> polygon;
-        for (int i = 0; i < 3; ++i) polygon.add({to_clip(state.transform, object.mesh.positions[index[i]]), v[i].r, v[i].g, v[i].b});
+        const auto add = [&](uint16_t index, const Vertex& corner) {
+            polygon.add({to_clip(state.transform, object.mesh.positions[index]), corner.r, corner.g, corner.b});
+        };
+        add(t.a, *v.a), add(t.b, *v.b), add(t.c, *v.c);
         polygon = clip(state.transform, polygon);
 
         Vertex fan[3];

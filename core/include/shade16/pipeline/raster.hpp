@@ -48,9 +48,7 @@ template <Stepping Step, bool Depth, PixelFormat Format, PrecisionTier Tier>
 constexpr void raster(const TriangleSetup<Tier>& t, const PixelBox& box, const Band<Format>& band) {
     const RasterPoint from_corner{8 - (t.p[0].x & 15), (first_centre(t.p[0].y) << 4) + 8 - t.p[0].y};
     const DepthPlane depth(t, from_corner);
-    // Where the area is small against the edges, colours change by more than a frame's range within a pixel.
-    const uint64_t reach = magnitude(t.dx1) + magnitude(t.dx2) + magnitude(t.dy2);
-    bool is_sliver = t.area <= 2 * reach || (Depth && depth.is_steep());
+    bool is_sliver = t.is_sliver() || (Depth && depth.is_steep());
 
     if constexpr (Step == Stepping::packed && PackedFormat<Format>) {
         if (!is_sliver) {

@@ -22,29 +22,22 @@ struct RasterPoint {
     int32_t x = 0, y = 0;
 };
 
-/// One reciprocal a triangle.
+/// One reciprocal a triangle, with the sign that slopes take from the side of the middle corner.
 struct InverseArea {
-    uint32_t mantissa = 0;
-    int32_t shift = 0;  // 1 / area = mantissa * 2^(shift - 63)
+    int32_t mantissa = 0;  // +-2^30 to +-2^31
+    int32_t shift = 0;     // +-1 / area = mantissa * 2^(shift - 62)
 
-    /// n / area * 2^exponent, saturated. For n of few bits the quotient has few, too: enough for the slopes of triangles
-    /// that are not slivers.
-    SHADE16_INLINE constexpr int32_t times(int32_t n, int exponent) const {
-        const int32_t high = mulhi(n, mantissa);
-        const int s = exponent + shift - 31;
+    /// n / area * 2^exponent, saturated, to 30 bits whatever the size of n.
+    constexpr int32_t times(int64_t n, int exponent) const {
+        const int excess = 33 - leading_zeros(magnitude(n));  // brought to 31 bits first
+        const int64_t shifted = excess > 0 ? n >> excess : static_cast<int64_t>(static_cast<uint64_t>(n) << min(-excess, 32));
+        const int32_t high = mulhi(static_cast<int32_t>(shifted), mantissa);
+        const int s = exponent + max(excess, -32) + shift - 30;
         if (s <= 0) return high >> min(-s, 31);
         return leading_zeros(magnitude(high)) > s ? shift_left(high, s) : (high < 0 ? INT32_MIN : INT32_MAX);
     }
-    /// The same to 30 bits whatever the size of n: brought to 31 bits first.
-    constexpr int32_t times(int64_t n, int exponent) const {
-        const int excess = 33 - leading_zeros(magnitude(n));
-        const int64_t shifted = excess > 0 ? n >> excess : static_cast<int64_t>(static_cast<uint64_t>(n) << min(-excess, 32));
-        return times(static_cast<int32_t>(shifted), exponent + max(excess, -32));
-    }
     /// 1 / area times a channel's largest code, as the mantissa of max / 2^bits.
-    SHADE16_INLINE constexpr InverseArea times_codes(int bits) const {
-        return {mantissa - (mantissa >> bits), shift};
-    }
+    SHADE16_INLINE constexpr InverseArea times_codes(int bits) const { return {mantissa - (mantissa >> bits), shift}; }
 };
 
 /// The corners from top to bottom, the edges from the first, and the sign and inverse of the doubled area.
@@ -54,29 +47,30 @@ struct TriangleSetup {
     RasterPoint p[3]{};
     int32_t dx1 = 0, dy1 = 0, dx2 = 0, dy2 = 0;  // edges from the top corner to the middle and to the bottom one
     bool middle_is_right = false;
-    bool is_compact = false;  // every edge below 2^14: 32-bit products do
+    int32_t reach_bits = 0;  // every edge is below 2^reach_bits
     InverseArea inverse{};
     uint64_t area = 0;
 
-    /// Numerators of an attribute's slopes in x and y, times the area.
-    SHADE16_INLINE constexpr int32_t slope_x(int32_t d1, int32_t d2) const { return signed_by_side(d1 * dy2 - d2 * dy1); }
-    SHADE16_INLINE constexpr int32_t slope_y(int32_t d1, int32_t d2) const { return signed_by_side(d2 * dx1 - d1 * dx2); }
-    constexpr int64_t long_slope_x(int32_t d1, int32_t d2) const { return signed_by_side(multiply(d1, dy2) - multiply(d2, dy1)); }
-    constexpr int64_t long_slope_y(int32_t d1, int32_t d2) const { return signed_by_side(multiply(d2, dx1) - multiply(d1, dx2)); }
+    /// Edges below 2^13, 512 pixels: 32-bit products do.
+    SHADE16_INLINE constexpr bool is_compact() const { return reach_bits <= 13; }
+    /// Slopes change by more than any accumulator holds where the area is small against the edges.
+    constexpr bool is_sliver() const { return area >> 1 <= uint64_t{1} << reach_bits; }
 
-private:
-    template <class T>
-    SHADE16_INLINE constexpr T signed_by_side(T n) const {
-        return middle_is_right ? n : -n;
-    }
+    /// Numerators of an attribute's slopes in x and y, times the signed area.
+    SHADE16_INLINE constexpr int32_t slope_x(int32_t d1, int32_t d2) const { return d1 * dy2 - d2 * dy1; }
+    SHADE16_INLINE constexpr int32_t slope_y(int32_t d1, int32_t d2) const { return d2 * dx1 - d1 * dx2; }
+    constexpr int64_t long_slope_x(int32_t d1, int32_t d2) const { return multiply(d1, dy2) - multiply(d2, dy1); }
+    constexpr int64_t long_slope_y(int32_t d1, int32_t d2) const { return multiply(d2, dx1) - multiply(d1, dx2); }
 };
 
 /// Twice the area in raster units, positive for triangles that run clockwise on the screen (y points down).
 template <PrecisionTier Tier>
 SHADE16_INLINE constexpr int64_t doubled_area(const ScreenVertex<Tier>& a, const ScreenVertex<Tier>& b, const ScreenVertex<Tier>& c) {
     const int32_t dx1 = b.x - a.x, dy1 = b.y - a.y, dx2 = c.x - a.x, dy2 = c.y - a.y;
+#if SHADE16_NARROW_MULTIPLY
     const uint32_t reach = magnitude(dx1) | magnitude(dy1) | magnitude(dx2) | magnitude(dy2);
     if (reach < (uint32_t{1} << 15)) return dx1 * dy2 - dx2 * dy1;
+#endif
     return multiply(dx1, dy2) - multiply(dx2, dy1);
 }
 
@@ -85,6 +79,16 @@ SHADE16_INLINE constexpr PixelBox pixel_box(const ScreenVertex<Tier>& a, const S
     const int32_t left = min<int32_t>(a.x, min<int32_t>(b.x, c.x)), right = max<int32_t>(a.x, max<int32_t>(b.x, c.x));
     const int32_t top = min<int32_t>(a.y, min<int32_t>(b.y, c.y)), bottom = max<int32_t>(a.y, max<int32_t>(b.y, c.y));
     return {first_centre(left + centre.x), first_centre(right + centre.x), first_centre(top + centre.y), first_centre(bottom + centre.y)};
+}
+
+/// Error: 2^-28 relative.
+SHADE16_INLINE constexpr InverseArea inverse_of(uint64_t area) {
+    if (area >> 32 == 0) {
+        const int shift = leading_zeros(static_cast<uint32_t>(area));
+        return {static_cast<int32_t>(reciprocal_of_normalized(static_cast<uint32_t>(area) << shift) >> 1), shift};
+    }
+    const Scaled normalized = Scaled::normalized(area, 0);
+    return {static_cast<int32_t>(reciprocal_of_normalized(normalized.mantissa) >> 1), 32 - normalized.exponent};
 }
 
 /// Sorts the corners by y and divides once. `area` is the positive doubled area.
@@ -108,10 +112,10 @@ constexpr TriangleSetup<Tier> set_up(const ScreenVertex<Tier>& a, const ScreenVe
     t.dx1 = t.p[1].x - t.p[0].x, t.dy1 = t.p[1].y - t.p[0].y;
     t.dx2 = t.p[2].x - t.p[0].x, t.dy2 = t.p[2].y - t.p[0].y;
     t.middle_is_right = runs_clockwise;
-    t.is_compact = (magnitude(t.dx1) | magnitude(t.dy1) | magnitude(t.dx2) | magnitude(t.dy2)) < (uint32_t{1} << 14);
+    t.reach_bits = 32 - leading_zeros(magnitude(t.dx1) | magnitude(t.dy1) | magnitude(t.dx2) | magnitude(t.dy2));
     t.area = area;
-    const Scaled normalized = Scaled::normalized(area, 0);
-    t.inverse = {reciprocal_of_normalized(normalized.mantissa), 32 - normalized.exponent};
+    t.inverse = inverse_of(area);
+    if (!t.middle_is_right) t.inverse.mantissa = -t.inverse.mantissa;
     return t;
 }
 

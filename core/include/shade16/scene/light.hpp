@@ -12,6 +12,12 @@ enum class LightKind : uint8_t { ambient, directional, point };
 /// Where a light's position or direction is given: in the world, fixed to the camera, or riding on each object.
 enum class Space : uint8_t { world, view, object };
 
+/// How a point light fades with distance d: 1 / (constant + linear d + quadratic d^2). Negative factors count as 0.
+struct Attenuation {
+    Q16 constant = 1, linear = 0, quadratic = 0;
+    friend constexpr bool operator==(Attenuation, Attenuation) = default;
+};
+
 struct Light {
     LightKind kind = LightKind::directional;
     Vec3 position{0, 0, 1};  // of a point light; of a directional one the direction towards it, of any length
@@ -19,6 +25,7 @@ struct Light {
     Rgb specular = white;
     Scaled intensity = 1;    // a factor on both colours; lamps exceed 1
     Space space = Space::world;
+    Attenuation attenuation{};  // of a point light
 };
 
 constexpr Light ambient_light(Rgb color) { return {.kind = LightKind::ambient, .diffuse = color, .specular = black}; }

@@ -19,13 +19,14 @@ struct Needs {
     bool specular = false;       // the half vector, the chord and the shininess tables
     bool directional = false;
     bool point = false;          // a light vector and a square root a vertex and light
+    bool attenuation = false;    // a distance and a divide a vertex and light
     bool local_viewer = false;   // a view vector and a square root a vertex
     bool stretch = false;        // a scale that differs by axis
 
     friend constexpr bool operator==(const Needs&, const Needs&) = default;
 };
 
-inline constexpr Needs all_needs{true, true, true, true, true, true, true, true, true, true, true, true, true, true};
+inline constexpr Needs all_needs{true, true, true, true, true, true, true, true, true, true, true, true, true, true, true};
 
 /// The union: one pipeline for several scenes.
 constexpr Needs operator|(Needs a, Needs b) {
@@ -35,6 +36,7 @@ constexpr Needs operator|(Needs a, Needs b) {
             a.vertex_colors || b.vertex_colors, a.ambient || b.ambient,
             a.diffuse || b.diffuse, a.specular || b.specular,
             a.directional || b.directional, a.point || b.point,
+            a.attenuation || b.attenuation,
             a.local_viewer || b.local_viewer, a.stretch || b.stretch};
 }
 
@@ -66,6 +68,7 @@ constexpr Needs needs_of(const Object& object, View<Light> lights) {
         n.specular |= specular;
         n.directional |= (diffuse || specular) && light.kind == LightKind::directional;
         n.point |= (diffuse || specular) && light.kind == LightKind::point;
+        n.attenuation |= (diffuse || specular) && light.kind == LightKind::point && light.attenuation != Attenuation{};
     }
     return n;
 }
