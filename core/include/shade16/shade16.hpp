@@ -36,6 +36,7 @@
 #include "shade16/scene/light.hpp"
 #include "shade16/scene/camera.hpp"
 #include "shade16/scene/scene.hpp"
+#include "shade16/scene/spin.hpp"
 #include "shade16/scene/needs.hpp"
 
 #include "shade16/target/pixel.hpp"
@@ -45,6 +46,7 @@
 #include "shade16/pipeline/vertex.hpp"
 #include "shade16/pipeline/transform.hpp"
 #include "shade16/pipeline/clip.hpp"
+#include "shade16/pipeline/lattice.hpp"
 #include "shade16/pipeline/light_setup.hpp"
 #include "shade16/pipeline/light.hpp"
 #include "shade16/pipeline/face.hpp"

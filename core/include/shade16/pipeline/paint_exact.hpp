@@ -85,7 +85,7 @@ public:
         for (int32_t x = offset_.x + column * 16; count > 0; --count, x += 16, ++pixel) {
             const int32_t w1 = weight(multiply(x, t_.dy2) - multiply(offset_.y, t_.dx2));
             const int32_t w2 = weight(multiply(offset_.y, t_.dx1) - multiply(x, t_.dy1));
-            const uint32_t z = static_cast<uint32_t>(mixed(&ScreenVertex<Tier>::z, w1, w2)) << 16;
+            const uint32_t z = static_cast<uint32_t>(mixed(&ScreenVertex<Tier>::z, 0, w1, w2)) << 16;
             if (nearer<Depth>(stored, z))
                 *pixel = detail::pixel_from_q24<Format>(code(&ScreenVertex<Tier>::r, Format::red_bits, w1, w2),
                                                         code(&ScreenVertex<Tier>::g, Format::green_bits, w1, w2),
@@ -99,17 +99,18 @@ private:
     constexpr int32_t weight(int64_t numerator) const {
         return clamp<int32_t>(t_.inverse.times(numerator, 30), 0, int32_t{1} << 30);
     }
+    /// An attribute between its corners' values, with `extra_bits` more fraction bits than it has.
     template <class T>
-    constexpr int32_t mixed(T ScreenVertex<Tier>::*attribute, int32_t w1, int32_t w2) const {
-        const auto at = [&](int i) { return static_cast<int32_t>(t_.corner[i]->*attribute); };
+    constexpr int32_t mixed(T ScreenVertex<Tier>::*attribute, int extra_bits, int32_t w1, int32_t w2) const {
+        const auto at = [&](int i) { return static_cast<int32_t>(t_.corner[i]->*attribute) << extra_bits; };
         const int32_t lowest = min(at(0), min(at(1), at(2))), highest = max(at(0), max(at(1), at(2)));
         const int64_t sum = multiply(at(1) - at(0), w1) + multiply(at(2) - at(0), w2);
         return clamp(at(0) + static_cast<int32_t>(shift_right_round(sum, 30)), lowest, highest);
     }
     template <class T>
     constexpr uint32_t code(T ScreenVertex<Tier>::*channel, int bits, int32_t w1, int32_t w2) const {
-        const uint32_t c = static_cast<uint32_t>(mixed(channel, w1, w2)), max_code = (uint32_t{1} << bits) - 1;
-        return (c * max_code << (24 - ScreenVertex<Tier>::channel_bits)) + (uint32_t{1} << 23);
+        const uint32_t c = static_cast<uint32_t>(mixed(channel, 24 - ScreenVertex<Tier>::channel_bits, w1, w2));
+        return c * ((uint32_t{1} << bits) - 1) + (uint32_t{1} << 23);
     }
 
     const TriangleSetup<Tier>& t_;

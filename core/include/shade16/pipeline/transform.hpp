@@ -13,7 +13,8 @@ struct Viewport {
 
 /// The guard band's half width, in 1/16 pixel from the centre: a little inside 16 bits, so that rounding stays inside too.
 inline constexpr int32_t guard_extent = 32760;
-inline constexpr uint32_t last_depth = 65534;
+/// Depth values keep a few units clear of both ends: stepping may err by one or two, and must not wrap.
+inline constexpr uint32_t first_depth = 4, last_depth = 65530;
 
 /// A vertex before the divide. Units are 2^unit of the object's ViewTransform. x and y are scaled so that the guard band
 /// is |x| <= w, |y| <= w; `depth` is the distance along the camera's axis.
@@ -28,7 +29,7 @@ struct ViewTransform {
     int32_t offset[3]{};   // below 2^29
     int32_t near_depth = 0;
     int32_t orthographic_w = 0;  // 0 in perspective, where w is the depth
-    uint32_t depth_scale = 0;    // mantissa and shift of what takes a depth fraction to [0, 65534]
+    uint32_t depth_scale = 0;    // mantissa and shift of what takes a depth fraction to [0, last_depth]
     int8_t depth_shift = 0;
 
     constexpr bool is_perspective() const { return orthographic_w == 0; }
@@ -150,7 +151,7 @@ SHADE16_INLINE constexpr uint16_t outcode(const ViewTransform& t, const ClipVert
 }
 
 /// The divide: screen position and depth of a vertex inside the guard band and beyond the near plane.
-/// Error   0.5 sub-pixel and 2^-24 of the guard band in position; 1 of 65534 in depth, on a divide of 2^-29.
+/// Error   0.5 sub-pixel and 2^-24 of the guard band in position; 1 of 65536 in depth, on a divide of 2^-29.
 /// Cost    one reciprocal and four high multiplies.
 template <PrecisionTier Tier>
 SHADE16_INLINE constexpr void project(const ViewTransform& t, const ClipVertex& v, ScreenVertex<Tier>& out) {
@@ -164,7 +165,7 @@ SHADE16_INLINE constexpr void project(const ViewTransform& t, const ClipVertex& 
     constexpr uint32_t one = uint32_t{1} << 30;
     const uint32_t fraction = t.is_perspective() ? one - min(over_w(t.near_depth), one)
                                                  : over_w(min(v.depth - t.near_depth, v.w));
-    out.z = static_cast<uint16_t>(min(mulhi(fraction, t.depth_scale) >> t.depth_shift, last_depth));
+    out.z = static_cast<uint16_t>(clamp(mulhi(fraction, t.depth_scale) >> t.depth_shift, first_depth, last_depth));
 }
 
 }  // namespace shade16

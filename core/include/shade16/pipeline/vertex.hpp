@@ -26,7 +26,7 @@ struct ChannelOf<true> {
 };
 
 /// x and y in 1/16 pixel from the centre of the frame, so that 2048 pixels and a guard band fit 16 bits; y points down.
-/// Depth runs from 0 at the near plane to 65534 at the far one. With an outcode set, only flags and colours are valid.
+/// Depth runs from first_depth at the near plane to last_depth at the far one. With an outcode set, only flags and colours are valid.
 template <PrecisionTier Tier>
 struct ScreenVertex {
     using Channel = typename ChannelOf<Arithmetic<Tier>::wide>::type;
