@@ -16,7 +16,7 @@ SHADE16_INLINE constexpr int32_t first_centre(int32_t v) { return (v + 7) >> 4; 
 class EdgeWalker {
 public:
     constexpr EdgeWalker() = default;
-    SHADE16_ONCE constexpr EdgeWalker(int32_t x, int32_t y, int32_t dx, int32_t dy, int32_t row) {
+    SHADE16_ONCE constexpr EdgeWalker(int32_t x, int32_t y, int32_t dx, int32_t dy, int32_t row, int32_t reference = 0) {
         const uint32_t height = static_cast<uint32_t>(dy);
         whole_ = floor_quotient(dx, height);
         rest_ = static_cast<uint32_t>(dx - whole_ * dy);  // dx / dy = whole + rest / dy, 0 <= rest < dy
@@ -27,20 +27,21 @@ public:
         const int32_t column = (x - 8) >> 4, within = (x - 8) & 15;
         const int32_t numerator = within * dy + dx * below + static_cast<int32_t>(height_) - 1;
         const int32_t cells = floor_quotient(numerator, height_);
-        pixel_ = column + cells;
+        column_ = column + cells - reference;
         error_ = numerator - cells * static_cast<int32_t>(height_) - static_cast<int32_t>(height_);
         rest_ <<= 4;
         if (row > top_row) skip(row - top_row);
     }
 
-    SHADE16_INLINE constexpr int32_t pixel() const { return pixel_; }
+    /// The first pixel at or right of the edge, in columns from the reference.
+    SHADE16_INLINE constexpr int32_t column() const { return column_; }
 
     SHADE16_INLINE constexpr void next_row() {
-        pixel_ += whole_;
+        column_ += whole_;
         error_ += static_cast<int32_t>(rest_);
         if (error_ >= 0) {
             error_ -= static_cast<int32_t>(height_);
-            ++pixel_;
+            ++column_;
         }
     }
 
@@ -50,15 +51,38 @@ private:
         const uint32_t dy = height_ >> 4, rest = rest_ >> 4, error = static_cast<uint32_t>(error_ + static_cast<int32_t>(height_));
         const uint32_t numerator = rest * static_cast<uint32_t>(rows) + (error >> 4);
         const uint32_t cells = quotient(numerator, dy);
-        pixel_ += whole_ * rows + static_cast<int32_t>(cells);
+        column_ += whole_ * rows + static_cast<int32_t>(cells);
         error_ = static_cast<int32_t>(((numerator - cells * dy) << 4 | (error & 15)) - height_);
     }
 
-    int32_t pixel_ = 0;
+    int32_t column_ = 0;
     int32_t error_ = 0;    // in [-height, 0)
     int32_t whole_ = 0;    // pixels a row
     uint32_t rest_ = 0;    // 16 * (dx mod dy)
     uint32_t height_ = 16;  // 16 * dy
 };
+
+/// The same for an edge of a small triangle, by one addition a row.
+/// Range   |dx|, dy <= small_edge_extent; at most 29 rows; columns within 2048 of the reference.
+/// Error   none: an edge's crossing is a multiple of 1 / (16 dy), so at least 1/7168 pixel from any other whole number.
+///         Steps are rounded down to 2^-20 and fall short by 2.9e-5 at most in 30 of them; 4.6e-5 off the ceiling's bias
+///         leaves whole crossings whole and all others above.
+/// Cost    one quotient an edge, one addition a row.
+class SmallEdgeWalker {
+public:
+    SHADE16_INLINE constexpr SmallEdgeWalker(int32_t x, int32_t y, int32_t dx, int32_t dy, int32_t row, int32_t reference) {
+        slope_ = floor_quotient(shift_left(dx, 20), static_cast<uint32_t>(dy));
+        const int32_t top_row = first_centre(y), below = (top_row << 4) + 8 - y;
+        x_ = shift_left(x - 8 - (reference << 4), 16) + ((slope_ >> 4) * below + ((slope_ & 15) * below >> 4)) + (int32_t{1} << 20) - 48 +
+             slope_ * (row - top_row);
+    }
+    SHADE16_INLINE constexpr int32_t column() const { return x_ >> 20; }
+    SHADE16_INLINE constexpr void next_row() { x_ += slope_; }
+
+private:
+    int32_t x_ = 0, slope_ = 0;  // 12.20, in columns from the reference
+};
+
+inline constexpr int32_t small_edge_extent = 448;
 
 }  // namespace shade16

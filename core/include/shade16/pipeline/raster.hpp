@@ -8,37 +8,40 @@
 namespace shade16 {
 
 namespace detail {
-/// Walks the rows of a triangle inside `box` and gives the painter each span, in columns from the reference pixel.
-template <class Painter, PixelFormat Format, PrecisionTier Tier>
-SHADE16_INLINE constexpr void walk(const TriangleSetup<Tier>& t, const PixelBox& box, const Band<Format>& band, bool has_depth, Painter painter) {
+/// Walks the rows of a triangle inside `box` and gives the painter each span, in columns from the reference pixel. Which
+/// side the middle corner is on is known outside of the loop, so that no row asks again.
+template <bool MiddleIsRight, class Edge, class Painter, PixelFormat Format, PrecisionTier Tier>
+SHADE16_INLINE constexpr void walk_side(const TriangleSetup<Tier>& t, const PixelBox& box, const Band<Format>& band, bool has_depth, Painter painter) {
     const RasterPoint top = t.p[0], middle = t.p[1];
-    const int32_t reference = top.x >> 4, first_row = first_centre(top.y);
+    const int32_t reference = top.x >> 4, middle_row = first_centre(middle.y);
     int32_t row = box.top;
-    if (row > first_row) painter.skip_rows(row - first_row);
+    Edge whole(top.x, top.y, t.dx2, t.dy2, row, reference);
+    Edge half = row < middle_row ? Edge(top.x, top.y, t.dx1, t.dy1, row, reference)
+                                 : Edge(middle.x, middle.y, t.p[2].x - middle.x, t.p[2].y - middle.y, row, reference);
+    const int32_t first_column = box.left - reference, end_column = box.right - reference;
 
-    const int32_t middle_row = first_centre(middle.y);
-    const EdgeWalker whole(top.x, top.y, t.dx2, t.dy2, row);
-    const auto upper = [&] { return EdgeWalker(top.x, top.y, t.dx1, t.dy1, row); };
-    const auto lower = [&] { return EdgeWalker(middle.x, middle.y, t.p[2].x - middle.x, t.p[2].y - middle.y, row); };
-    EdgeWalker half = row < middle_row ? upper() : lower();
-    EdgeWalker left = t.middle_is_right ? whole : half, right = t.middle_is_right ? half : whole;
-
-    typename Format::Pixel* pixels = band.row(row) + reference;
-    uint16_t* depth = has_depth ? band.depth_row(row) + reference : nullptr;
-    while (true) {
-        const int32_t end_row = row < middle_row ? min(middle_row, box.bottom) : box.bottom;
+    int32_t origin = (row - band.first_row) * band.width + reference;  // where the reference column lies in the band
+    for (int32_t end_row = row < middle_row ? min(middle_row, box.bottom) : box.bottom;; end_row = box.bottom) {
         for (; row < end_row; ++row) {
-            const int32_t from = max(left.pixel(), box.left) - reference, to = min(right.pixel(), box.right) - reference;
-            if (from < to) painter.span(pixels + from, has_depth ? depth + from : nullptr, from, to - from);
-            left.next_row();
-            right.next_row();
+            const int32_t left = MiddleIsRight ? whole.column() : half.column(), right = MiddleIsRight ? half.column() : whole.column();
+            const int32_t from = max(left, first_column), to = min(right, end_column);
+            if (from < to) painter.span(band.pixels + (origin + from), has_depth ? band.depth + (origin + from) : nullptr, from, to - from);
+            whole.next_row();
+            half.next_row();
             painter.next_row();
-            pixels += band.width;
-            if (has_depth) depth += band.width;
+            origin += band.width;
         }
         if (row >= box.bottom) return;
-        (t.middle_is_right ? right : left) = lower();
+        half = Edge(middle.x, middle.y, t.p[2].x - middle.x, t.p[2].y - middle.y, row, reference);
     }
+}
+
+template <class Edge = EdgeWalker, class Painter, PixelFormat Format, PrecisionTier Tier>
+SHADE16_INLINE constexpr void walk(const TriangleSetup<Tier>& t, const PixelBox& box, const Band<Format>& band, bool has_depth, Painter painter) {
+    const int32_t first_row = first_centre(t.p[0].y);
+    if (box.top > first_row) painter.skip_rows(box.top - first_row);
+    if (t.middle_is_right) walk_side<true, Edge>(t, box, band, has_depth, painter);
+    else walk_side<false, Edge>(t, box, band, has_depth, painter);
 }
 }  // namespace detail
 
@@ -54,7 +57,7 @@ constexpr void raster(const TriangleSetup<Tier>& t, const PixelBox& box, const B
         if (!is_sliver) {
             const PackedPlanes color(t, from_corner);
             const int32_t size = (t.p[2].y - t.p[0].y) + static_cast<int32_t>(max(magnitude(t.dx1), max(magnitude(t.dx2), magnitude(t.dx2 - t.dx1))));
-            if (size <= small_triangle_px * 16) return detail::walk(t, box, band, Depth, SmallPackedPainter<Format, Depth>(color, depth));
+            if (size <= small_triangle_px * 16) return detail::walk<SmallEdgeWalker>(t, box, band, Depth, SmallPackedPainter<Format, Depth>(color, depth));
             return detail::walk(t, box, band, Depth, PackedPainter<Format, Depth>(color, depth));
         }
     } else {
