@@ -6,6 +6,9 @@
 #include "host_sim/cli/command_line.hpp"
 #include "host_sim/cli/compare.hpp"
 #include "host_sim/cli/console.hpp"
+#include "host_sim/cli/info.hpp"
+#include "host_sim/cli/ink.hpp"
+#include "host_sim/cli/preview.hpp"
 #include "host_sim/cli/render.hpp"
 #include "host_sim/cli/signals.hpp"
 #include "host_sim/io/atomic_file.hpp"
@@ -21,10 +24,12 @@ struct Run {
     ExitCode operator()(const RenderOptions& options) const { return render(options); }
     ExitCode operator()(const CompareOptions& options) const { return compare(options); }
     ExitCode operator()(const BakeOptions& options) const { return bake(options); }
+    ExitCode operator()(const InfoOptions& options) const { return info(options); }
+    ExitCode operator()(const PreviewOptions& options) const { return preview(options); }
 };
 
 ExitCode refuse(ExitCode code, const char* sentence) {
-    std::fprintf(stderr, "shade16: %s\n", sentence);
+    std::fprintf(stderr, "%s %s\n", Ink(STDERR_FILENO).bad("shade16:").c_str(), sentence);
     return code;
 }
 

@@ -3,7 +3,8 @@
 # usage: scripts/setup.sh [--demo]     --demo: only what the demo needs, no cross compilers and no emulator
 set -euo pipefail
 
-packages=(cmake ninja-build g++ libglm-dev libcli11-dev libfmt-dev libtinyobjloader-dev libmeshoptimizer-dev libpng-dev)
+packages=(cmake ninja-build g++ libglm-dev libcli11-dev libfmt-dev nlohmann-json3-dev
+  libtinyobjloader-dev libmeshoptimizer-dev libpng-dev libtomlplusplus-dev zlib1g-dev)
 if [[ ${1:-} != --demo ]]; then
   packages+=(
     clang lld libgtest-dev libgmock-dev ffmpeg assimp-testmodels

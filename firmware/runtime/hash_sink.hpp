@@ -3,6 +3,9 @@
 
 #include <runtime/console.hpp>
 #include <shade16/shade16.hpp>
+#ifdef SHADE16_FRAME_FILES
+#include <runtime/frame_file.hpp>
+#endif
 
 namespace shade16 {
 
@@ -10,9 +13,12 @@ namespace shade16 {
 class HashSink {
 public:
     template <class Pixel>
-    void flush(Area, const Pixel* pixels, size_t bytes, bool last) {
+    void flush([[maybe_unused]] Area area, const Pixel* pixels, size_t bytes, bool last) {
         const auto* byte = reinterpret_cast<const unsigned char*>(pixels);
         for (size_t i = 0; i < bytes; ++i) hash_ = (hash_ ^ byte[i]) * 16777619u;
+#ifdef SHADE16_FRAME_FILES
+        file_.add(area, pixels, last);
+#endif
         if (last) end_frame();
     }
     void wait() {}
@@ -29,6 +35,9 @@ private:
 
     uint32_t hash_ = 2166136261u;
     uint32_t frame_ = 0;
+#ifdef SHADE16_FRAME_FILES
+    FrameFile file_{};
+#endif
 };
 
 }  // namespace shade16

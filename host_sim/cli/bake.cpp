@@ -3,10 +3,12 @@
 #include <filesystem>
 
 #include "host_sim/cli/console.hpp"
+#include "host_sim/cli/json_text.hpp"
 #include "host_sim/io/atomic_file.hpp"
 #include "host_sim/model/bake_header.hpp"
 #include "host_sim/model/identifier.hpp"
 #include "host_sim/model/obj_import.hpp"
+#include "host_sim/scene_file/loaded_scene.hpp"
 
 namespace shade16::host {
 
@@ -38,6 +40,7 @@ std::string result_text(const BakeOptions& o, const BakedModel& baked) {
 
 ExitCode bake(const BakeOptions& o) {
     if (o.output.empty()) throw input_error("--output: the name is empty; expected one such as mesh.hpp.");
+    if (is_scene_file(o.model)) throw input_error("{}: is a scene file; expected a model such as teapot.obj.", o.model);
     std::error_code ignored;
     if (std::filesystem::equivalent(o.model, o.output, ignored))
         throw input_error("{}: is the model itself; expected another name for the header.", o.output);
@@ -45,7 +48,8 @@ ExitCode bake(const BakeOptions& o) {
     const BakedModel baked = quantize(import_obj(o.model));
     if (!o.quiet) print_warnings(baked.warnings);
     write_file(o.output, bake_header(baked, name));
-    if (!o.quiet) print_beside(o.output, result_text(o, baked));
+    if (o.json) print_beside(o.output, bake_json(o, baked));
+    else if (!o.quiet) print_beside(o.output, result_text(o, baked));
     return ExitCode::ok;
 }
 

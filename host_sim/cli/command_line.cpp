@@ -25,31 +25,47 @@ void add_flag(CLI::App& app, const char* name, bool& is_given, const char* help)
     app.add_flag(name, is_given, help)->disable_flag_override();
 }
 
+void add_json(CLI::App& app, bool& is_wanted) {
+    add_flag(app, "--json", is_wanted, "print the figures as one JSON object");
+}
+
+void add_scene(CLI::App& app, std::string& model) {
+    app.add_option("SCENE", model, "a scene file (.toml), or a Wavefront OBJ file to be fitted into the frame")
+        ->required()
+        ->type_name("");
+}
+
 void add_model(CLI::App& app, std::string& model) {
     app.add_option("MODEL.obj", model, "a Wavefront OBJ file")->required()->type_name("");
+}
+
+void add_tier(CLI::App& app, std::string& tier, const char* help) {
+    add(app, "--tier", "WORD", help, [&](const std::string& word) { tier = tier_of(word); });
+}
+
+void add_shading(CLI::App& app, std::optional<Shading>& shading) {
+    add(app, "--shading", "WORD", "flat or gouraud [the material's]",
+        [&](const std::string& word) { shading = shading_of(word); });
 }
 
 template <class Options>
 void add_look(CLI::App& app, Options& o) {
     add(app, "--size", "WxH", "pixels [320x240]", [&](const std::string& word) { o.size = size_of(word); });
-    add(app, "--shading", "WORD", "flat or gouraud [the material's]",
-        [&](const std::string& word) { o.shading = shading_of(word); });
+    add_shading(app, o.shading);
 }
 
 void add_render(CLI::App& app, RenderOptions& o) {
-    add_model(app, o.model);
-    add(app, "-o,--output", "OUT", ".y4m, .png or .rgb565 (raw pixels); '-' is Y4M on standard output",
+    add_scene(app, o.model);
+    add(app, "-o,--output", "OUT", ".y4m, .apng, .png or .rgb565 (raw pixels); '-' is Y4M on standard output",
         [&](const std::string& path) {
             o.kind = kind_of(path);
             o.output = path;
-        })
-        ->required();
-    add(app, "--frames", "N", "of one turn [1; 90 for Y4M]",
+        });
+    add(app, "--frames", "N", "of one turn [1; 90 for Y4M and APNG]",
         [&](const std::string& word) { o.frames = whole_number("--frames", word, 1, 100'000); });
-    add(app, "--fps", "N", "frames a second, noted in Y4M [30]",
+    add(app, "--fps", "N", "frames a second, noted in Y4M and APNG [30]",
         [&](const std::string& word) { o.fps = whole_number("--fps", word, 1, 1000); });
-    add(app, "--tier", "WORD", "lowp, mediump or highp [mediump]",
-        [&](const std::string& word) { o.tier = tier_of(word); });
+    add_tier(app, o.tier, "lowp, mediump or highp [mediump]");
     add(app, "--format", "WORD", "the display's: rgb565, rgb565_swapped or rgb888 [rgb565]",
         [&](const std::string& word) { o.format = format_of(word); });
     add(app, "--bands", "ROWS", "draw in bands of so many rows, as with little RAM [all at once]",
@@ -57,18 +73,22 @@ void add_render(CLI::App& app, RenderOptions& o) {
     add(app, "--engine", "WORD", "fixed, or reference: double precision without tiers and bands [fixed]",
         [&](const std::string& word) { o.engine = engine_of(word); });
     add_look(app, o);
+    add(app, "--scale", "N", "show every pixel as N x N pixels, 1 to 16 [1]",
+        [&](const std::string& word) { o.scale = whole_number("--scale", word, 1, 16); });
     add_flag(app, "--quiet", o.quiet, "print errors only");
     add_flag(app, "--verbose", o.verbose, "print what the fitted camera and lights came to");
+    add_flag(app, "--dump-scene", o.dump_scene, "print the scene as a scene file instead of drawing it");
+    add_json(app, o.json);
 }
 
 void add_compare(CLI::App& app, CompareOptions& o) {
-    add_model(app, o.model);
-    add(app, "--tier", "WORD", "lowp, mediump or highp [all three]",
-        [&](const std::string& word) { o.tier = tier_of(word); });
+    add_scene(app, o.model);
+    add_tier(app, o.tier, "lowp, mediump or highp [all three]");
     add(app, "--frames", "N", "of one turn [8]",
         [&](const std::string& word) { o.frames = whole_number("--frames", word, 1, 100'000); });
     add_look(app, o);
     add_flag(app, "--quiet", o.quiet, "print no warnings and no progress");
+    add_json(app, o.json);
 }
 
 void add_bake(CLI::App& app, BakeOptions& o) {
@@ -78,6 +98,21 @@ void add_bake(CLI::App& app, BakeOptions& o) {
     })->required();
     add(app, "--name", "NAME", "of the mesh in C++ [the header's]", [&](const std::string& name) { o.name = name; });
     add_flag(app, "--quiet", o.quiet, "print errors only");
+    add_json(app, o.json);
+}
+
+void add_info(CLI::App& app, InfoOptions& o) {
+    add_scene(app, o.model);
+    add_look(app, o);
+    add_json(app, o.json);
+}
+
+void add_preview(CLI::App& app, PreviewOptions& o) {
+    add_scene(app, o.model);
+    add(app, "--frames", "N", "stop after so many, 90 a turn [until q or Ctrl-C]",
+        [&](const std::string& word) { o.frames = whole_number("--frames", word, 1, 100'000); });
+    add_tier(app, o.tier, "lowp, mediump or highp [mediump]");
+    add_shading(app, o.shading);
 }
 
 /// Help that begins with examples; a list of commands has one line for each.
@@ -90,6 +125,8 @@ public:
         const char* const begin = name == "render"    ? render_help
                                   : name == "compare" ? compare_help
                                   : name == "bake"    ? bake_help
+                                  : name == "info"    ? info_help
+                                  : name == "preview" ? preview_help
                                                       : program_help;
         return begin + std::string("\n");
     }
@@ -106,8 +143,12 @@ public:
         bake_ = app_.add_subcommand("bake", "turn a model into a C++ header");
         add_render(*render_, render_options_);
         add_compare(*compare_, compare_options_);
+        info_ = app_.add_subcommand("info", "say what a model needs, and what it takes in flash and RAM");
+        preview_ = app_.add_subcommand("preview", "show a model turning in the terminal");
         add_bake(*bake_, bake_options_);
-        for (CLI::App* app : {&app_, render_, compare_, bake_}) app->footer(exit_codes_help);
+        add_info(*info_, info_options_);
+        add_preview(*preview_, preview_options_);
+        for (CLI::App* app : {&app_, render_, compare_, bake_, info_, preview_}) app->footer(exit_codes_help);
     }
 
     Command parse(int argc, const char* const* argv) {
@@ -120,15 +161,35 @@ public:
         } catch (const CLI::ParseError& error) {
             throw input_error("{}", sentence(error));
         }
-        if (render_->parsed()) return render_options_;
+        render_options_.given = given_options(*render_);
+        compare_options_.given = given_options(*compare_);
+        info_options_.given = given_options(*info_);
+        if (render_->parsed()) return checked(render_options_);
         if (compare_->parsed()) return compare_options_;
-        return bake_options_;
+        if (bake_->parsed()) return bake_options_;
+        if (info_->parsed()) return info_options_;
+        return preview_options_;
     }
 
 private:
+    static std::set<std::string> given_options(const CLI::App& command) {
+        std::set<std::string> names;
+        for (const CLI::Option* option : command.get_options())
+            if (option->count() > 0) names.insert(option->get_name());
+        return names;
+    }
+
+    static const RenderOptions& checked(const RenderOptions& o) {
+        if (o.output.empty() && !o.dump_scene)
+            throw input_error("the name of the output is missing: expected -o and a name; see 'shade16 render --help'.");
+        if (!o.output.empty() && o.dump_scene)
+            throw input_error("--dump-scene: draws nothing and prints to standard output; expected no --output beside it.");
+        return o;
+    }
+
     /// The command that was given, or nullptr.
     const CLI::App* called() const {
-        for (const CLI::App* app : {render_, compare_, bake_})
+        for (const CLI::App* app : {render_, compare_, bake_, info_, preview_})
             if (app->parsed()) return app;
         return nullptr;
     }
@@ -143,13 +204,18 @@ private:
             if (word.starts_with('-'))
                 return unknown_word(word, "option", option_names(command ? *command : app_), help);
         if (command == nullptr && unknown.empty())
-            return "a command is missing: expected render, compare or bake; " + help + ".";
+            return "a command is missing: expected " + listed(commands()) + "; " + help + ".";
         if (command == nullptr)
-            return unknown_word(unknown.front(), "command", {"render", "compare", "bake"},
-                                "expected render, compare or bake; " + help);
+            return unknown_word(unknown.front(), "command", commands(), "expected " + listed(commands()) + "; " + help);
         if (!unknown.empty())
             return fmt::format("{}: is one word too many; expected one model; {}.", unknown.front(), help);
         return reworded(error.get_name(), error.what()) + "; " + help + ".";
+    }
+
+    std::vector<std::string> commands() const {
+        std::vector<std::string> names;
+        for (const CLI::App* app : app_.get_subcommands({})) names.push_back(app->get_name());
+        return names;
     }
 
     static std::vector<std::string> option_names(const CLI::App& app) {
@@ -160,10 +226,12 @@ private:
     }
 
     CLI::App app_{"", "shade16"};
-    CLI::App *render_ = nullptr, *compare_ = nullptr, *bake_ = nullptr;
+    CLI::App *render_ = nullptr, *compare_ = nullptr, *bake_ = nullptr, *info_ = nullptr, *preview_ = nullptr;
     RenderOptions render_options_{};
     CompareOptions compare_options_{};
     BakeOptions bake_options_{};
+    InfoOptions info_options_{};
+    PreviewOptions preview_options_{};
 };
 
 }  // namespace

@@ -13,7 +13,7 @@ struct Answer {
     std::string text{};
 };
 
-using Command = std::variant<Answer, RenderOptions, CompareOptions, BakeOptions>;
+using Command = std::variant<Answer, RenderOptions, CompareOptions, BakeOptions, InfoOptions, PreviewOptions>;
 
 /// Throws input_error with one sentence.
 Command parse_command_line(int argc, const char* const* argv);

@@ -4,16 +4,16 @@
 
 #include "host_sim/cli/comparison_text.hpp"
 #include "host_sim/cli/console.hpp"
+#include "host_sim/cli/json_text.hpp"
+#include "host_sim/cli/open_scene.hpp"
 #include "host_sim/engine/formats.hpp"
-#include "host_sim/engine/model_scene.hpp"
-#include "host_sim/model/obj_import.hpp"
 
 namespace shade16::host {
 
 namespace {
 
 template <PrecisionTier Tier>
-Comparison comparison(const ModelScene& scene, const CompareOptions& o) {
+Comparison comparison(const AnimatedScene& scene, const CompareOptions& o) {
     const reference::Scene exact = reference::value(scene.scene()), original = scene.unquantized();
     Comparison result;
     Progress progress(fmt::format("comparing {}, frame", Tier::name), o.frames, o.quiet);
@@ -28,14 +28,16 @@ Comparison comparison(const ModelScene& scene, const CompareOptions& o) {
 
 }  // namespace
 
-ExitCode compare(const CompareOptions& o) {
-    const ModelScene scene(import_obj(o.model), o.size, o.shading ? &*o.shading : nullptr);
-    if (!o.quiet) print_warnings(scene.baked().warnings);
+ExitCode compare(const CompareOptions& options) {
+    CompareOptions o = options;
+    const OpenScene open = open_scene(o);
+    const AnimatedScene& scene = *open.scene;
+    if (!o.quiet) print_warnings(scene.warnings());
     std::vector<Comparison> all;
     for (const char* tier : {lowp::name, mediump::name, highp::name})
         if (o.tier.empty() || o.tier == tier)
             all.push_back(with_tier(tier, [&]<class Tier>(Tier) { return comparison<Tier>(scene, o); }));
-    print(comparison_text(all, scene, o));
+    print(o.json ? compare_json(o, all, scene) : comparison_text(all, scene, o, Ink(STDOUT_FILENO)));
     const bool holds = std::all_of(all.begin(), all.end(), [](const Comparison& c) { return c.holds(); });
     return holds ? ExitCode::ok : ExitCode::check;
 }

@@ -23,19 +23,20 @@ double stepping_levels(const Comparison& c) {
     });
 }
 
-std::string row(const Comparison& c, const ErrorFigures& figures, const std::string& promised) {
+std::string row(const Comparison& c, const ErrorFigures& figures, const std::string& promised, const Ink& ink) {
     return fmt::format("    {:<9}{:<21}{:>9.5f} {:>9.5f} {:>8.1f} %    {}\n", c.tier, promised, figures.largest,
-                       figures.mean(), 100 * figures.largest_of_bound, figures.holds() ? "kept" : "BROKEN");
+                       figures.mean(), 100 * figures.largest_of_bound,
+                       figures.holds() ? ink.good("kept") : ink.bad("BROKEN"));
 }
 
 constexpr const char* heading = "    tier     promised (levels)      largest      mean   of bound    verdict\n";
 
-std::string vertices_text(const std::vector<Comparison>& tiers) {
+std::string vertices_text(const std::vector<Comparison>& tiers, const Ink& ink) {
     std::string text =
         "(i) Lit vertices (faces, where shading is flat), against double precision on the same integers\n";
     text += heading;
     for (const Comparison& c : tiers)
-        text += row(c, c.vertices, fmt::format("{:g}; {:g}", c.promise_to_128, c.promise_to_1000));
+        text += row(c, c.vertices, fmt::format("{:g}; {:g}", c.promise_to_128, c.promise_to_1000), ink);
     return text +
            fmt::format(
                "    Promised for one light of intensity 1: with shininess up to 128; up to 1000. Lights add up.\n"
@@ -43,10 +44,11 @@ std::string vertices_text(const std::vector<Comparison>& tiers) {
                counted(tiers.front().vertices.count, "point", "points"));
 }
 
-std::string pixels_text(const std::vector<Comparison>& tiers) {
+std::string pixels_text(const std::vector<Comparison>& tiers, const Ink& ink) {
     std::string text = "(ii) Pixels before they are rounded to the display's format: (i) and stepping along a row\n";
     text += heading;
-    for (const Comparison& c : tiers) text += row(c, c.pixels, fmt::format("as above + {:.2g}", stepping_levels(c)));
+    for (const Comparison& c : tiers)
+        text += row(c, c.pixels, fmt::format("as above + {:.2g}", stepping_levels(c)), ink);
     return text + fmt::format("    {} of triangles cut by the frame's edges or the camera were left out.\n\n",
                               counted(tiers.front().clipped_pixels, "pixel", "pixels"));
 }
@@ -66,28 +68,33 @@ std::string picture_text(const std::vector<Comparison>& tiers) {
                levels_a_red_code, levels_a_green_code, levels_a_red_code / 2);
 }
 
-std::string verdict_text(const std::vector<Comparison>& tiers) {
-    const auto any = [&](auto is) { return std::any_of(tiers.begin(), tiers.end(), is); };
-    if (any([](const Comparison& c) { return !c.vertices.holds() || !c.pixels.holds(); }))
-        return "Verdict: BROKEN. An error is larger than promised.\n";
-    if (any([](const Comparison& c) { return !c.holds(); }))
-        return "Verdict: SUSPECT. The reference never differs, so it is not compared with.\n";
-    return "Verdict: every promise is kept.\n";
+std::string verdict_text(const std::string& verdict, const Ink& ink) {
+    if (verdict == "broken") return "Verdict: " + ink.bad("BROKEN") + ". An error is larger than promised.\n";
+    if (verdict == "suspect")
+        return "Verdict: " + ink.bad("SUSPECT") + ". The reference never differs, so it is not compared with.\n";
+    return "Verdict: " + ink.good("every promise is kept") + ".\n";
 }
 
 }  // namespace
 
-std::string comparison_text(const std::vector<Comparison>& tiers, const ModelScene& scene, const CompareOptions& o) {
-    const std::string what =
-        fmt::format("{}: {}, {}; {} of {}x{} pixels over one turn, {} lights.\n", scene.baked().source,
-                    counted(scene.baked().vertex_count(), "vertex", "vertices"),
-                    counted(scene.baked().triangle_count(), "triangle", "triangles"),
-                    counted(static_cast<std::size_t>(o.frames), "frame", "frames"), o.size.width, o.size.height,
-                    scene.scene().lights.count);
+const char* verdict_of(const std::vector<Comparison>& tiers) {
+    const auto any = [&](auto is) { return std::any_of(tiers.begin(), tiers.end(), is); };
+    if (any([](const Comparison& c) { return !c.vertices.holds() || !c.pixels.holds(); })) return "broken";
+    return any([](const Comparison& c) { return !c.holds(); }) ? "suspect" : "kept";
+}
+
+std::string comparison_text(const std::vector<Comparison>& tiers, const AnimatedScene& scene, const CompareOptions& o,
+                            const Ink& ink) {
+    const std::string what = fmt::format("{}: {}, {}; {} of {}x{} pixels over one turn, {} lights.\n", scene.source(),
+                                         counted(vertex_count(scene.scene()), "vertex", "vertices"),
+                                         counted(triangle_count(scene.scene()), "triangle", "triangles"),
+                                         counted(static_cast<std::size_t>(o.frames), "frame", "frames"), o.size.width,
+                                         o.size.height, scene.scene().lights.count);
     const std::string units =
         "Errors are in levels: one level is 1/255 of a colour channel. 'Of bound' is the largest share that an error\n"
         "took of what is promised at its own point, with its own lights: up to 100 % the promise is kept.\n\n";
-    return what + units + vertices_text(tiers) + pixels_text(tiers) + picture_text(tiers) + verdict_text(tiers);
+    return what + units + vertices_text(tiers, ink) + pixels_text(tiers, ink) + picture_text(tiers) +
+           verdict_text(verdict_of(tiers), ink);
 }
 
 }  // namespace shade16::host

@@ -4,13 +4,17 @@
 #include <string>
 #include <vector>
 
+#include "host_sim/cli/ink.hpp"
 #include "host_sim/cli/options.hpp"
-#include "host_sim/engine/model_scene.hpp"
+#include "host_sim/engine/animated_scene.hpp"
 #include "host_sim/report/compare.hpp"
 
 namespace shade16::host {
 
-std::string comparison_text(const std::vector<Comparison>& tiers, const ModelScene& scene,
-                            const CompareOptions& options);
+/// "kept", "broken", or "suspect": a reference that never differs is not compared with.
+const char* verdict_of(const std::vector<Comparison>& tiers);
+
+std::string comparison_text(const std::vector<Comparison>& tiers, const AnimatedScene& scene,
+                            const CompareOptions& options, const Ink& ink);
 
 }  // namespace shade16::host

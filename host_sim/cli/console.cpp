@@ -1,11 +1,11 @@
 #include "host_sim/cli/console.hpp"
 
 #include <cstdio>
-#include <cstdlib>
 
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "host_sim/cli/ink.hpp"
 #include "host_sim/io/atomic_file.hpp"
 
 namespace shade16::host {
@@ -14,11 +14,6 @@ namespace {
 
 /// Standard error may be closed, and then nobody listens: no reason to stop.
 void print_error(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
-
-bool is_terminal() {
-    const char* const terminal = std::getenv("TERM");
-    return isatty(STDERR_FILENO) && terminal != nullptr && std::string_view(terminal) != "dumb";
-}
 
 }  // namespace
 
@@ -30,7 +25,7 @@ void print_beside(const std::string& output, std::string_view text) {
 }
 
 void print_warnings(const std::vector<std::string>& sentences) {
-    for (const std::string& sentence : sentences) print_error(fmt::format("warning: {}\n", sentence));
+    for (const std::string& sentence : sentences) print_error(fmt::format("{} {}\n", Ink(STDERR_FILENO).caution("warning:"), sentence));
 }
 
 std::string counted(std::size_t count, std::string_view one, std::string_view many) {
@@ -38,7 +33,7 @@ std::string counted(std::size_t count, std::string_view one, std::string_view ma
 }
 
 Progress::Progress(std::string_view verb, int total, bool quiet)
-    : verb_(verb), total_(total), is_shown_(!quiet && total > 1 && is_terminal()) {}
+    : verb_(verb), total_(total), is_shown_(!quiet && total > 1 && is_terminal(STDERR_FILENO)) {}
 
 Progress::~Progress() {
     if (is_written_) print_error("\r\033[K");

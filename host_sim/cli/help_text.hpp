@@ -10,6 +10,8 @@ inline constexpr const char* program_help =
   shade16 render teapot.obj -o - | mpv --loop=inf -     the same without a file
   shade16 compare teapot.obj                            how far from double precision, and is it what is promised?
   shade16 bake teapot.obj -o teapot.hpp                 the model as a C++ header for the microcontroller
+  shade16 preview teapot.obj                            a look at it in the terminal
+  shade16 info teapot.obj                               what it needs, and what it takes in flash and RAM
 
 shade16 draws on this computer what the fixed-point engine draws on a microcontroller, bit for bit.
 )";
@@ -18,11 +20,15 @@ inline constexpr const char* render_help =
     R"(Examples:
   shade16 render teapot.obj -o teapot.png                            one picture
   shade16 render teapot.obj -o turn.y4m --frames 60 --size 240x240   one turn as a film
+  shade16 render teapot.obj -o turn.apng --size 128x64 --scale 3     a small panel, large, for a web page
   shade16 render teapot.obj -o turn.png --frames 12                  turn-0000.png to turn-0011.png
   shade16 render teapot.obj -o frame.rgb565 --format rgb565_swapped  the bytes that an SPI display takes
   shade16 render teapot.obj -o - | ffmpeg -i - turn.gif              a stream
+  shade16 render scene.toml -o scene.y4m                             camera, lights and objects of your own
+  shade16 render teapot.obj --dump-scene                             the scene around a model: a file to begin with
 
-Draws the model turning once about its vertical axis, fitted into the frame and lit.
+Draws a model turning once about its vertical axis, fitted into the frame and lit; or a scene file as it says. The
+command line wins over the scene file. docs/scene-file.md has every key.
 )";
 
 inline constexpr const char* compare_help =
@@ -30,6 +36,7 @@ inline constexpr const char* compare_help =
   shade16 compare teapot.obj                            every tier, 8 turns
   shade16 compare teapot.obj --tier lowp --frames 90    one tier, more closely
   shade16 compare teapot.obj --shading flat
+  shade16 compare scene.toml                            a scene file
 
 Measures the fixed-point engine against double precision and prints three errors, each beside what is promised of it.
 The exit code is 1 when a promise is broken.
@@ -41,6 +48,25 @@ inline constexpr const char* bake_help =
   shade16 bake teapot.obj -o mesh.hpp --name pot        defines assets::pot and assets::pot_material
 
 Rounds the model to 16 bits a coordinate and writes it as a C++ header of constants, which stay in flash.
+)";
+
+inline constexpr const char* info_help =
+    R"(Examples:
+  shade16 info teapot.obj                               what it needs, and what it takes in flash and RAM
+  shade16 info teapot.obj --size 128x64                 the same for a small display
+  shade16 info teapot.obj --json | jq .memory.tiers     for scripts
+
+Says which terms of the shading the compiler would keep for this model in the light of 'shade16 render', and which it
+would leave out.
+)";
+
+inline constexpr const char* preview_help =
+    R"(Examples:
+  shade16 preview teapot.obj                            turns until q or Ctrl-C
+  shade16 preview teapot.obj --frames 1                 one picture, which stays
+  shade16 preview teapot.obj | less -R                  the same where there is no terminal
+
+Shows the model in the terminal, two pixels a character, in 24-bit colour; in letters alone where NO_COLOR is set.
 )";
 
 inline constexpr const char* exit_codes_help =

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 
 #include "shade16/pipeline/transform.hpp"
@@ -10,7 +11,7 @@
 namespace shade16::host {
 
 enum class Engine { fixed, reference };
-enum class OutputKind { y4m, png, raw };
+enum class OutputKind { y4m, apng, png, raw };
 
 struct RenderOptions {
     std::string model{}, output{};
@@ -22,7 +23,10 @@ struct RenderOptions {
     int frames = 0;  // 0: as many as suit the kind of output
     int fps = 30;
     int band_rows = 0;  // 0: the whole frame at once
-    bool quiet = false, verbose = false;
+    int scale = 1;      // each pixel of the frame becomes scale x scale of the output
+    bool quiet = false, verbose = false, json = false;
+    bool dump_scene = false;          // print the scene instead of drawing it
+    std::set<std::string> given{};    // the options that were on the command line: a scene file fills in the others
 };
 
 struct CompareOptions {
@@ -31,12 +35,28 @@ struct CompareOptions {
     std::optional<Shading> shading{};
     Viewport size{320, 240};
     int frames = 8;
-    bool quiet = false;
+    bool quiet = false, json = false;
+    std::set<std::string> given{};  // as in RenderOptions
 };
 
 struct BakeOptions {
     std::string model{}, output{}, name{};
-    bool quiet = false;
+    bool quiet = false, json = false;
+};
+
+struct PreviewOptions {
+    std::string model{};
+    std::string tier = "mediump";
+    std::optional<Shading> shading{};
+    int frames = 0;  // 0: until somebody ends it
+};
+
+struct InfoOptions {
+    std::string model{};
+    std::optional<Shading> shading{};
+    Viewport size{320, 240};
+    bool json = false;
+    std::set<std::string> given{};  // as in RenderOptions
 };
 
 }  // namespace shade16::host

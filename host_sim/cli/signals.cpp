@@ -2,6 +2,7 @@
 
 #include <csignal>
 
+#include "host_sim/cli/terminal.hpp"
 #include "host_sim/io/atomic_file.hpp"
 
 namespace shade16::host {
@@ -12,6 +13,7 @@ namespace {
 /// shell expects, 128 + its number.
 extern "C" void clean_up_and_end(int number) {
     remove_unfinished_files();
+    restore_terminal();
     std::raise(number);
 }
 

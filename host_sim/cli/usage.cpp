@@ -1,47 +1,34 @@
 #include "host_sim/cli/usage.hpp"
 
 #include <algorithm>
-#include <numeric>
-#include <string_view>
 
 #include <fmt/format.h>
 
+#include "host_sim/error.hpp"
+#include "host_sim/nearest_word.hpp"
+
 namespace shade16::host {
-
-namespace {
-
-/// Letters to insert, remove or replace.
-std::size_t distance(std::string_view from, std::string_view to) {
-    std::vector<std::size_t> row(to.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < from.size(); ++i) {
-        std::size_t diagonal = row[0]++;
-        for (std::size_t j = 0; j < to.size(); ++j) {
-            const std::size_t replaced = diagonal + (from[i] == to[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
-        }
-    }
-    return row.back();
-}
-
-/// The known word nearest to a mistyped one, or "" when none is near.
-std::string nearest(std::string_view typed, const std::vector<std::string>& known) {
-    std::string best;
-    std::size_t least = std::max<std::size_t>(typed.size() / 3, 1) + 1;  // a third of the letters may be wrong
-    for (const std::string& word : known)
-        if (const std::size_t d = distance(typed, word); d < least) least = d, best = word;
-    return best;
-}
-
-}  // namespace
 
 std::string unknown_word(const std::string& word, const char* kind, const std::vector<std::string>& known,
                          const std::string& expected) {
-    const std::string near = nearest(word, known);
+    const std::string near = nearest_word(word, known);
     if (near == word) return fmt::format("{}: belongs after the command, as in 'shade16 render {}'.", word, word);
     if (near.empty()) return fmt::format("{}: there is no such {}; {}.", word, kind, expected);
     return fmt::format("{}: there is no such {}; did you mean {}?", word, kind, near);
+}
+
+std::string listed(const std::vector<std::string>& words) {
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
+    return text;
+}
+
+void expect_one_of(const char* option, const std::string& word, const std::vector<std::string>& known) {
+    if (std::find(known.begin(), known.end(), word) != known.end()) return;
+    const std::string near = nearest_word(word, known);
+    throw input_error("{} {}: expected {}{}", option, word, listed(known),
+                      near.empty() ? std::string(".") : fmt::format("; did you mean {}?", near));
 }
 
 std::string reworded(const std::string& error_class, std::string text) {
@@ -51,6 +38,7 @@ std::string reworded(const std::string& error_class, std::string text) {
     if (error_class == "ArgumentMismatch") return option + ": expected a value after it";
     if (error_class != "RequiredError") return text;
     if (option == "--output") return "the name of the output is missing: expected -o and a name";
+    if (option == "SCENE") return "the name of the scene is missing: expected SCENE.toml or MODEL.obj";
     return "the name of the model is missing: expected " + option;
 }
 

@@ -5,9 +5,11 @@
 #include <optional>
 #include <stdexcept>
 
-#include "host_sim/engine/formats.hpp"
+#include "host_sim/cli/usage.hpp"
+#include "host_sim/error.hpp"
 #include "host_sim/io/atomic_file.hpp"
 #include "host_sim/io/frame_writer.hpp"
+#include "shade16/shade16.hpp"
 
 namespace shade16::host {
 
@@ -49,30 +51,29 @@ Viewport size_of(const std::string& word) {
 }
 
 Shading shading_of(const std::string& word) {
-    if (word == "flat") return Shading::flat;
-    if (word == "gouraud") return Shading::gouraud;
-    throw input_error("--shading {}: expected flat or gouraud.", word);
+    expect_one_of("--shading", word, {"flat", "gouraud"});
+    return word == "flat" ? Shading::flat : Shading::gouraud;
 }
 
 Engine engine_of(const std::string& word) {
-    if (word == "fixed") return Engine::fixed;
-    if (word == "reference") return Engine::reference;
-    throw input_error("--engine {}: expected fixed or reference.", word);
+    expect_one_of("--engine", word, {"fixed", "reference"});
+    return word == "fixed" ? Engine::fixed : Engine::reference;
 }
 
 std::string tier_of(const std::string& word) {
-    with_tier(word, [](auto) {});
+    expect_one_of("--tier", word, {lowp::name, mediump::name, highp::name});
     return word;
 }
 
 std::string format_of(const std::string& word) {
-    with_format(word, [](auto) {});
+    expect_one_of("--format", word, {Rgb565::name, Rgb565Swapped::name, Rgb888::name});
     return word;
 }
 
 OutputKind kind_of(const std::string& path) {
     if (path.empty()) throw input_error("--output: the name is empty; expected one such as frame.png.");
     if (is_standard_output(path) || has_ending(path, ".y4m")) return OutputKind::y4m;
+    if (has_ending(path, ".apng")) return OutputKind::apng;
     if (has_ending(path, ".png")) return OutputKind::png;
     if (has_ending(path, ".rgb565")) return OutputKind::raw;
     open_writer(path, 1, 1, 1, 1);  // knows how to refuse it

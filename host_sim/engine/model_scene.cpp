@@ -23,19 +23,21 @@ std::vector<Pose> ModelScene::poses(Angle turn) const {
     return std::vector<Pose>(objects_.size(), centred_pose(objects_.front().mesh, rotate_y(turn), scale_));
 }
 
-reference::Scene ModelScene::unquantized() const {
-    reference::Scene result{scene_, {}};
+reference::Scene ModelScene::unquantized() const { return {scene_, original_meshes(model_, baked_)}; }
+
+std::vector<reference::Mesh> original_meshes(const Model& model, const BakedModel& baked) {
+    std::vector<reference::Mesh> result;
     const auto vectors = [](const std::vector<Double3>& from) {
         std::vector<glm::dvec3> to;
         for (const Double3& v : from) to.emplace_back(v[0], v[1], v[2]);
         return to;
     };
-    for (const ModelPart& part : model_.parts) {
+    for (const ModelPart& part : model.parts) {
         // A part that rounding left without triangles is no object.
-        if (result.meshes.size() == baked_.parts.size() || part.name != baked_.parts[result.meshes.size()].name) continue;
-        reference::Mesh mesh{vectors(model_.positions), vectors(model_.normals), vectors(model_.colors), {}};
+        if (result.size() == baked.parts.size() || part.name != baked.parts[result.size()].name) continue;
+        reference::Mesh mesh{vectors(model.positions), vectors(model.normals), vectors(model.colors), {}};
         for (const auto& t : part.triangles) mesh.triangles.push_back({t[0], t[1], t[2]});
-        result.meshes.push_back(std::move(mesh));
+        result.push_back(std::move(mesh));
     }
     return result;
 }

@@ -4,9 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include "host_sim/engine/animated_scene.hpp"
 #include "host_sim/model/quantize.hpp"
-#include "host_sim/reference/scene.hpp"
-#include "shade16/shade16.hpp"
 
 namespace shade16::host {
 
@@ -18,21 +17,20 @@ struct FitFigures {
 };
 
 /// Owns a model's arrays and the scene that looks at them; it does not move, since the scene points into it.
-class ModelScene {
+class ModelScene final : public AnimatedScene {
 public:
     /// `shading` overrides the material's when it is given.
     ModelScene(Model model, Viewport viewport, const Shading* shading = nullptr);
-    ModelScene(const ModelScene&) = delete;
-    ModelScene& operator=(const ModelScene&) = delete;
 
-    const Scene& scene() const { return scene_; }
+    const Scene& scene() const override { return scene_; }
     const BakedModel& baked() const { return baked_; }
     const FitFigures& figures() const { return figures_; }
 
     /// Every object's pose with the model turned about its vertical axis.
-    std::vector<Pose> poses(Angle turn) const;
-    /// The same scene for the reference, with the file's own positions and normals, before quantisation.
-    reference::Scene unquantized() const;
+    std::vector<Pose> poses(Angle turn) const override;
+    reference::Scene unquantized() const override;
+    const std::string& source() const override { return baked_.source; }
+    const std::vector<std::string>& warnings() const override { return baked_.warnings; }
 
 private:
     Model model_;
@@ -43,6 +41,9 @@ private:
     Q16 scale_ = 1;
     FitFigures figures_{};
 };
+
+/// What the file says of each baked part, before quantisation.
+std::vector<reference::Mesh> original_meshes(const Model& model, const BakedModel& baked);
 
 /// The turn of one frame of a turntable.
 constexpr Angle turn_of(int frame, int frames) {

@@ -20,7 +20,7 @@ void append(std::vector<uint8_t>& bytes, uint16_t p) {
 template <PrecisionTier Tier, PixelFormat Format>
 class FixedTurntable final : public Turntable {
 public:
-    FixedTurntable(const ModelScene& scene, Viewport viewport, int band_rows)
+    FixedTurntable(const AnimatedScene& scene, Viewport viewport, int band_rows)
         : scene_(scene), viewport_(viewport), band_rows_(band_rows), renderer_(scene.scene()) {}
 
     Image draw(Angle turn) override {
@@ -35,7 +35,7 @@ public:
     }
 
 private:
-    const ModelScene& scene_;
+    const AnimatedScene& scene_;
     Viewport viewport_;
     int band_rows_;
     RuntimeRenderer<Tier> renderer_;
@@ -53,7 +53,7 @@ typename Format::Pixel rounded(const glm::dvec3& color) {
 template <PixelFormat Format>
 class ReferenceTurntable final : public Turntable {
 public:
-    ReferenceTurntable(const ModelScene& scene, Viewport viewport)
+    ReferenceTurntable(const AnimatedScene& scene, Viewport viewport)
         : scene_(scene), viewport_(viewport), original_(scene.unquantized()) {}
 
     Image draw(Angle turn) override {
@@ -68,14 +68,14 @@ public:
     }
 
 private:
-    const ModelScene& scene_;
+    const AnimatedScene& scene_;
     Viewport viewport_;
     reference::Scene original_;
 };
 
 }  // namespace
 
-std::unique_ptr<Turntable> fixed_turntable(const ModelScene& scene, Viewport viewport, std::string_view tier,
+std::unique_ptr<Turntable> fixed_turntable(const AnimatedScene& scene, Viewport viewport, std::string_view tier,
                                            std::string_view format, int band_rows) {
     return with_tier(tier, [&]<class Tier>(Tier) {
         return with_format(format, [&]<class Format>(Format) -> std::unique_ptr<Turntable> {
@@ -84,7 +84,7 @@ std::unique_ptr<Turntable> fixed_turntable(const ModelScene& scene, Viewport vie
     });
 }
 
-std::unique_ptr<Turntable> reference_turntable(const ModelScene& scene, Viewport viewport, std::string_view format) {
+std::unique_ptr<Turntable> reference_turntable(const AnimatedScene& scene, Viewport viewport, std::string_view format) {
     return with_format(format, [&]<class Format>(Format) -> std::unique_ptr<Turntable> {
         return std::make_unique<ReferenceTurntable<Format>>(scene, viewport);
     });

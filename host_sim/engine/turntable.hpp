@@ -1,10 +1,10 @@
-// A model on a turntable: frame after frame, whatever engine draws it.
+// A scene that moves, a model on a turntable or a scene file: frame after frame, whatever engine draws it.
 #pragma once
 
 #include <memory>
 #include <string_view>
 
-#include "host_sim/engine/model_scene.hpp"
+#include "host_sim/engine/animated_scene.hpp"
 #include "host_sim/io/image.hpp"
 
 namespace shade16::host {
@@ -20,10 +20,10 @@ public:
 };
 
 /// The fixed-point engine: the very pixels of the target, in bands of so many rows (0: all at once).
-std::unique_ptr<Turntable> fixed_turntable(const ModelScene& scene, Viewport viewport, std::string_view tier,
+std::unique_ptr<Turntable> fixed_turntable(const AnimatedScene& scene, Viewport viewport, std::string_view tier,
                                            std::string_view format, int band_rows);
 
 /// Double precision on the file's own mesh, rounded once at the end: to 8 bits a channel, and to the format for raw.
-std::unique_ptr<Turntable> reference_turntable(const ModelScene& scene, Viewport viewport, std::string_view format);
+std::unique_ptr<Turntable> reference_turntable(const AnimatedScene& scene, Viewport viewport, std::string_view format);
 
 }  // namespace shade16::host

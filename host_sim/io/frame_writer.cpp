@@ -23,9 +23,10 @@ std::unique_ptr<FrameWriter> open_writer(const std::string& path, int width, int
     const std::string ending = lower_case_ending(path);
     if (is_standard_output(path) || ending == ".y4m") return open_y4m_writer(path, width, height, fps);
     if (ending == ".png") return open_png_writer(path, width, height, frame_count);
+    if (ending == ".apng") return open_apng_writer(path, width, height, frame_count, fps);
     if (ending == ".rgb565") return open_raw_writer(path, width, height);
     throw input_error(
-        "{}: {} names no known format; expected .y4m, .png or .rgb565, or '-' for Y4M on standard output.", path,
+        "{}: {} names no known format; expected .y4m, .apng, .png or .rgb565, or '-' for Y4M on standard output.", path,
         ending.empty() ? std::string("a name without an ending") : fmt::format("the ending '{}'", ending));
 }
 

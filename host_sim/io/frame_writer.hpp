@@ -21,11 +21,13 @@ public:
     virtual void finish() = 0;
 };
 
-/// `.y4m` (also `-`, on standard output), `.png` (name-0000.png and so on for several frames), `.rgb565` (raw).
+/// `.y4m` (also `-`, on standard output), `.apng` (one animated file), `.png` (name-0000.png and so on for several
+/// frames), `.rgb565` (raw).
 std::unique_ptr<FrameWriter> open_writer(const std::string& path, int width, int height, int frame_count, int fps);
 
 std::unique_ptr<FrameWriter> open_y4m_writer(const std::string& path, int width, int height, int fps);
 std::unique_ptr<FrameWriter> open_png_writer(const std::string& path, int width, int height, int frame_count);
+std::unique_ptr<FrameWriter> open_apng_writer(const std::string& path, int width, int height, int frame_count, int fps);
 std::unique_ptr<FrameWriter> open_raw_writer(const std::string& path, int width, int height);
 
 }  // namespace shade16::host

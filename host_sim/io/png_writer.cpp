@@ -2,30 +2,14 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include <png.h>
-
 #include "host_sim/error.hpp"
 #include "host_sim/io/atomic_file.hpp"
 #include "host_sim/io/frame_writer.hpp"
+#include "host_sim/io/png_chunk.hpp"
 
 namespace shade16::host {
 
 namespace {
-
-std::vector<uint8_t> encoded(const Image& frame, const std::string& path) {
-    png_image png{};
-    png.version = PNG_IMAGE_VERSION;
-    png.width = static_cast<png_uint_32>(frame.width);
-    png.height = static_cast<png_uint_32>(frame.height);
-    png.format = PNG_FORMAT_RGB;
-
-    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
-    std::vector<uint8_t> bytes(size);
-    if (!png_image_write_to_memory(&png, bytes.data(), &size, 0, frame.rgb.data(), 0, nullptr))
-        throw io_error("{}: cannot be encoded as PNG: {}.", path, png.message);
-    bytes.resize(size);
-    return bytes;
-}
 
 class PngWriter final : public FrameWriter {
 public:
@@ -38,7 +22,7 @@ public:
             throw std::logic_error("every frame of a PNG sequence has the size that it was opened with");
         const std::string path = numbered_ ? numbered_path(next_++) : path_;
         const auto stream = open_output(path);
-        stream->write(encoded(frame, path));
+        stream->write(encoded_png(frame, path));
         stream->commit();
     }
 

@@ -1,18 +1,33 @@
-# Rewrites frames.txt from this computer's programs: cmake -P bless.cmake -- <app> <board> <program> [...]
+# Rewrites frames.txt and frames/ from this computer's programs:
+# cmake -DTOOL=<golden_pictures> -DCHANGED=<folder> -DSCRATCH=<folder> -P bless.cmake -- <app> <board> <program> [...]
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/../scripts/run.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/frames.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/draw_pictures.cmake)
 
 set(text "# <app> <board> <frame> <hash>. Written by 'bless'; all boards and compilers must draw the same.\n")
+file(REMOVE_RECURSE ${CHANGED})
 
-set(at 4)  # after cmake -P bless.cmake --
+set(at 0)
+while(NOT CMAKE_ARGV${at} STREQUAL "--")
+  math(EXPR at "${at} + 1")
+endwhile()
+math(EXPR at "${at} + 1")
 while(at LESS CMAKE_ARGC)
   math(EXPR at_board "${at} + 1")
   math(EXPR at_program "${at} + 2")
+  set(app ${CMAKE_ARGV${at}})
+  set(board ${CMAKE_ARGV${at_board}})
   shade16_run(printed ${CMAKE_ARGV${at_program}})
-  shade16_frames(${CMAKE_ARGV${at}} ${CMAKE_ARGV${at_board}} "${printed}" rows)
+  shade16_frames(${app} ${board} "${printed}" rows)
   list(JOIN rows "\n" lines)
   string(APPEND text "${lines}\n")
+  if(NOT TOOL STREQUAL "none")
+    shade16_pictures(bless ${TOOL} ${app} ${board} ${CMAKE_ARGV${at_program}} ${SCRATCH} ${CHANGED} status)
+    if(NOT status EQUAL 0)
+      message(FATAL_ERROR "The frames of ${app} on ${board} could not be kept as pictures.")
+    endif()
+  endif()
   math(EXPR at "${at} + 3")
 endwhile()
 

@@ -52,7 +52,7 @@ bool wait_for_a_file_in(const ScratchDirectory& scratch) {
 
 TEST(CliInterruption, a_signal_in_mid_render_leaves_nothing) {
     for (const int signal : {SIGTERM, SIGINT, SIGHUP})
-        for (const char* output : {"a.y4m", "a.rgb565"}) {
+        for (const char* output : {"a.y4m", "a.apng", "a.rgb565"}) {
             const ScratchDirectory scratch;
             const pid_t child = start_long_render(scratch.path(output));
             ASSERT_GT(child, 0);

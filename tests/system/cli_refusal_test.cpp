@@ -146,7 +146,10 @@ TEST(CliRefusal, numbers_out_of_range) {
 
 TEST(CliRefusal, words_nobody_knows) {
     expect_usage_refused("--tier half", "--tier half: expected lowp, mediump or highp.");
-    expect_usage_refused("--format rgb555", "--format rgb555: expected rgb565, rgb565_swapped or rgb888.");
+    expect_usage_refused("--format rgb555", "--format rgb555: expected rgb565, rgb565_swapped or rgb888; did you mean rgb565?");
+    expect_usage_refused("--tier midiump", "--tier midiump: expected lowp, mediump or highp; did you mean mediump?");
+    expect_usage_refused("--shading gourad", "--shading gourad: expected flat or gouraud; did you mean gouraud?");
+    expect_usage_refused("--engine fixd", "--engine fixd: expected fixed or reference; did you mean fixed?");
     expect_usage_refused("--shading phong", "--shading phong: expected flat or gouraud.");
     expect_usage_refused("--engine gl", "--engine gl: expected fixed or reference.");
     expect_usage_refused("--szie 1x1", "--szie: there is no such option; did you mean --size?");
@@ -157,15 +160,15 @@ TEST(CliRefusal, words_nobody_knows) {
 }
 
 TEST(CliRefusal, commands_nobody_knows) {
-    expect_refusal(shade16_program(""), 2, "a command is missing: expected render, compare or bake");
+    expect_refusal(shade16_program(""), 2, "a command is missing: expected render, compare, bake, info or preview");
     expect_refusal(shade16_program("rendr"), 2, "rendr: there is no such command; did you mean render?");
-    expect_refusal(shade16_program("paint x"), 2, "paint: there is no such command; expected render, compare or bake");
+    expect_refusal(shade16_program("paint x"), 2, "paint: there is no such command; expected render, compare, bake, info or preview");
     expect_refusal(shade16_program("--xyz"), 2, "--xyz: there is no such option; see 'shade16 --help'.");
     expect_refusal(shade16_program("--quiet render"), 2, "--quiet: belongs after the command");
 }
 
 TEST(CliRefusal, incomplete_commands) {
-    expect_refusal(shade16_program("render"), 2, "the name of the model is missing: expected MODEL.obj");
+    expect_refusal(shade16_program("render"), 2, "the name of the scene is missing: expected SCENE.toml or MODEL.obj");
     expect_refusal(shade16_program("render " + teapot()), 2, "the name of the output is missing: expected -o");
     expect_refusal(shade16_program("bake " + teapot() + " -o"), 2, "--output: expected a value after it");
     expect_refusal(shade16_program("render " + teapot() + " -o ''"), 2, "--output: the name is empty");
@@ -174,7 +177,7 @@ TEST(CliRefusal, incomplete_commands) {
 TEST(CliRefusal, outputs_of_no_known_kind) {
     const ScratchDirectory scratch;
     expect_refusal(shade16_program("render " + teapot() + " -o " + scratch.path("a.gif")), 2,
-                   "the ending '.gif' names no known format; expected .y4m, .png or .rgb565");
+                   "the ending '.gif' names no known format; expected .y4m, .apng, .png or .rgb565");
     expect_refusal(shade16_program("render " + teapot() + " --format rgb888 -o " + scratch.path("a.rgb565")), 2,
                    ".rgb565 holds 16 bits a pixel, but --format rgb888 has 24");
     EXPECT_THAT(scratch.names(), IsEmpty());

@@ -1,0 +1,74 @@
+#include "host_sim/cli/open_scene.hpp"
+
+#include "host_sim/model/obj_import.hpp"
+#include "host_sim/scene_file/describe_model.hpp"
+#include "host_sim/scene_file/dump_scene.hpp"
+#include "host_sim/scene_file/loaded_scene.hpp"
+#include "host_sim/scene_file/read_scene.hpp"
+
+namespace shade16::host {
+
+namespace {
+
+template <class Options>
+OpenScene opened(const Options& o, std::optional<SceneDescription> file) {
+    const Shading* const shading = o.shading ? &*o.shading : nullptr;
+    if (file) return {std::make_unique<LoadedScene>(*file, shading), std::nullopt, *file};
+    auto scene = std::make_unique<ModelScene>(import_obj(o.model), o.size, shading);
+    const FitFigures fit = scene->figures();
+    SceneDescription description = describe(*scene, o.model);
+    return {std::move(scene), fit, std::move(description)};
+}
+
+template <class Options>
+std::optional<SceneDescription> scene_file(const Options& o) {
+    if (!is_scene_file(o.model)) return std::nullopt;
+    return read_scene(o.model);
+}
+
+}  // namespace
+
+OpenScene open_scene(RenderOptions& o) {
+    const auto file = scene_file(o);
+    if (file) {
+        const OutputSettings& output = file->output;
+        const auto settle = [&](const char* option, auto& value, const auto& from_file) {
+            if (!o.given.contains(option)) value = from_file;
+        };
+        settle("--size", o.size, output.size);
+        settle("--tier", o.tier, output.tier);
+        settle("--format", o.format, output.format);
+        settle("--frames", o.frames, output.frames);
+        settle("--fps", o.fps, output.fps);
+        settle("--bands", o.band_rows, output.band_rows);
+    }
+    return opened(o, file);
+}
+
+OpenScene open_scene(CompareOptions& o) {
+    const auto file = scene_file(o);
+    if (file && !o.given.contains("--size")) o.size = file->output.size;
+    return opened(o, file);
+}
+
+OpenScene open_scene(InfoOptions& o) {
+    const auto file = scene_file(o);
+    if (file && !o.given.contains("--size")) o.size = file->output.size;
+    return opened(o, file);
+}
+
+OpenScene open_scene(const PreviewOptions& options, Viewport size) {
+    InfoOptions o{options.model, options.shading, size, false, {"--size"}};
+    return open_scene(o);
+}
+
+std::string dumped(const OpenScene& scene, const RenderOptions& o) {
+    if (o.shading)
+        throw input_error(
+            "--dump-scene: a scene file says shading material by material; expected no --shading beside it.");
+    SceneDescription description = scene.description;
+    description.output = {o.size, o.format, o.tier, o.frames, o.fps, o.band_rows};
+    return dump_scene(description);
+}
+
+}  // namespace shade16::host

@@ -1,0 +1,55 @@
+// What a scene takes in flash and in RAM, from the sizes of the core's own types.
+#pragma once
+
+#include "shade16/shade16.hpp"
+
+namespace shade16::host {
+
+/// The arrays of the scene's meshes; objects that share one pay for it once.
+inline std::size_t mesh_bytes(const Scene& scene) {
+    std::size_t sum = 0;
+    for (uint32_t i = 0; i < scene.objects.count; ++i) {
+        const Mesh& m = scene.objects[i].mesh;
+        bool is_shared = false;
+        for (uint32_t j = 0; j < i; ++j) is_shared |= scene.objects[j].mesh.positions.first == m.positions.first;
+        if (is_shared) continue;
+        sum += m.positions.count * sizeof(Position16) + m.normals.count * sizeof(Normal14) +
+               m.colors.count * sizeof(Rgb) + m.triangles.count * sizeof(Triangle);
+    }
+    return sum;
+}
+
+/// One table a distinct exponent, and what all exponents share.
+template <PrecisionTier Tier>
+std::size_t shininess_bytes(const Scene& scene) {
+    std::size_t tables = 0;
+    for (uint32_t i = 0; i < scene.objects.count; ++i)
+        tables +=
+            detail::has_specular(scene, scene.objects[i].material) && detail::first_with_same_shininess(scene, i) == i;
+    const bool has_shared_tables = Arithmetic<Tier>::wide && tables > 0;
+    return tables * sizeof(Shininess<Tier>) +
+           (has_shared_tables ? sizeof(detail::log_table) + sizeof(detail::exp_table) : 0);
+}
+
+inline constexpr uint32_t usual_replay_slots = 64;
+
+/// A Workspace of this scene, as this computer lays it out: pointers take 4 bytes an object more than on a 32-bit core.
+template <PrecisionTier Tier>
+std::size_t workspace_bytes(const Scene& scene, VertexStore store, uint32_t slots = usual_replay_slots) {
+    using detail::at_least_one;
+    const bool keeps = store == VertexStore::keep;
+    const std::size_t vertices = keeps ? at_least_one(detail::vertex_count(scene)) : slots;
+    const std::size_t faces = keeps ? at_least_one(detail::flat_face_count(scene)) : 1;
+    return at_least_one(scene.objects.count) * sizeof(ObjectState<Tier>) +
+           at_least_one(scene.objects.count * scene.lights.count) * sizeof(ObjectLight<Tier>) +
+           vertices * sizeof(ScreenVertex<Tier>) + faces * sizeof(FaceColor<Tier>) +
+           (keeps ? 1 : slots) * sizeof(uint32_t);
+}
+
+/// One band of 16-bit pixels, with depth where it is needed.
+constexpr std::size_t band_bytes(int width, int rows, bool has_depth) {
+    const std::size_t pixel = sizeof(Rgb565::Pixel) + (has_depth ? sizeof(uint16_t) : 0);
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(rows) * pixel;
+}
+
+}  // namespace shade16::host

@@ -1,0 +1,44 @@
+// Survey: what a scene is, which terms it needs and which it does not pay for, and what it takes in flash and RAM.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "shade16/shade16.hpp"
+
+namespace shade16::host {
+
+struct SurveyedObject {
+    std::string name{};
+    std::size_t vertices = 0, triangles = 0;
+    bool convex = false;
+};
+
+struct TierMemory {
+    std::string tier{};
+    std::size_t shininess_bytes = 0, keep_bytes = 0, replay_bytes = 0;
+};
+
+struct BandMemory {
+    int rows = 0;
+    std::size_t bytes = 0;
+};
+
+struct Survey {
+    std::string source{};
+    std::vector<SurveyedObject> objects{};
+    std::size_t vertices = 0, triangles = 0, materials = 0, lights = 0;
+    glm::dvec3 low{}, high{};  // of all objects, as the scene's own poses place them
+    Needs needs{};
+    std::size_t mesh_bytes = 0;
+    std::vector<TierMemory> tiers{};
+    Viewport viewport{};
+    std::vector<BandMemory> bands{};  // the whole frame first
+};
+
+/// `names` has one for each object; a missing one becomes "object 3".
+Survey survey(const Scene& scene, const std::string& source, const std::vector<std::string>& names, Viewport viewport);
+
+}  // namespace shade16::host

@@ -1,0 +1,35 @@
+// The terms of Needs by name, each with what it costs, for people and for JSON.
+#pragma once
+
+#include "shade16/scene/needs.hpp"
+
+namespace shade16::host {
+
+struct Term {
+    const char* name;
+    bool Needs::*is_needed;
+    const char* cost;
+};
+
+inline constexpr Term terms[] = {
+    {"perspective", &Needs::perspective, "a divide a vertex"},
+    {"depth", &Needs::depth, "a depth buffer: several objects, or one that is not convex"},
+    {"lit", &Needs::lit, "light on at least one object"},
+    {"unlit", &Needs::unlit, "objects that show their own colour"},
+    {"flat", &Needs::flat, "one colour a face"},
+    {"gouraud", &Needs::gouraud, "colours interpolated along rows"},
+    {"vertex_colors", &Needs::vertex_colors, "a factor a vertex"},
+    {"ambient", &Needs::ambient, "ambient or emissive light"},
+    {"diffuse", &Needs::diffuse, "a dot product a vertex and light"},
+    {"specular", &Needs::specular, "half vectors and shininess tables"},
+    {"directional", &Needs::directional, "lights at infinity"},
+    {"point", &Needs::point, "a square root a vertex and lamp"},
+    {"attenuation", &Needs::attenuation, "a distance and a divide a vertex and lamp"},
+    {"local_viewer", &Needs::local_viewer, "a view vector and a square root a vertex"},
+    {"stretch", &Needs::stretch, "a scale that differs by axis: normals are renormalised"},
+};
+
+/// A test holds this to be true, so that a new term is not forgotten here.
+inline constexpr bool every_term_has_a_name = sizeof(terms) / sizeof(terms[0]) == sizeof(Needs);
+
+}  // namespace shade16::host
