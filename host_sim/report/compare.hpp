@@ -30,8 +30,10 @@ struct Comparison {
     ErrorFigures picture{};          // bound 0: reported only
     std::size_t covered_by_one = 0, covered_by_both = 0;
 
-    /// Promises held, and the reference did differ: one that never differs is not compared with.
-    bool holds() const { return vertices.holds() && pixels.holds() && vertices.largest > 0; }
+    /// Whether the reference differs anywhere: one that never does is not compared with. Vertex colours alone may agree,
+    /// where a scene is unlit and its colours are 0 and 1.
+    bool differs() const { return vertices.largest > 0 || pixels.largest > 0; }
+    bool holds() const { return vertices.holds() && pixels.holds() && differs(); }
 };
 
 /// Adds one frame to a comparison. `exact` has the scene's own quantised meshes, `original` the file's.
