@@ -34,7 +34,7 @@ struct Q16 {
     friend constexpr Q16 operator-(Q16 a) { return from_raw(saturate(-int64_t{a.raw})); }
 
     /// The product, rounded half up.
-    /// Error   0.5 ulp.  Cost  M3 10 cycles, M0+ 31: research figures for the same operation in docs/performance.md.
+    /// Error   0.5 ulp.  Cost  one long multiply; on M0+ four short ones.
     friend constexpr Q16 operator*(Q16 a, Q16 b) {
         return from_raw(saturate(shift_right_round(multiply(a.raw, b.raw), 16)));
     }

@@ -91,7 +91,8 @@ SHADE16_INLINE constexpr void modulate(Accumulator& sum, const Rgb& c) {
 /// The lit colour of a point.
 /// Range   any position on the lattice, any unit normal (a zero one gives no diffuse and no specular light).
 /// Error   Tier::promise for each light arriving at intensity 1, added up, under the conditions stated there.
-/// Cost    docs/performance.md.
+/// Cost    for each light a dot, a chord, two table reads and eight multiplies; a point light or a local viewer adds a
+///         normalisation, attenuation a square root and a reciprocal.
 /// Source  Blinn, Models of Light Reflection for Computer Synthesized Pictures, 1977.
 template <Needs N, PrecisionTier Tier>
 constexpr Accumulator light_point(const ObjectLighting<Tier>& object, View<ObjectLight<Tier>> lights,
