@@ -103,6 +103,15 @@ TYPED_TEST(Lit, LightOppositeTheViewerGivesNoSpecular) {
     EXPECT_FALSE(is_black(lit<TypeParam>(local, averted))) << "diffuse light is there";
 }
 
+TYPED_TEST(Lit, AnEyeExactlyAtThePointSeesNoSpecular) {
+    Setting with{.lights = {directional_light({0, 0, 1})}};
+    with.camera.viewer = Viewer::local;
+    with.camera.eye = {}, with.camera.target = {0, 0, -1};
+    Setting without = with;
+    without.material.specular = black;
+    EXPECT_TRUE(are_equal(lit<TypeParam>(with), lit<TypeParam>(without)));
+}
+
 TYPED_TEST(Lit, LightsAdd) {
     const Light a = directional_light({1, 2, 3}, rgb(0x604020)), b = point_light({-1, 1, 4}, rgb(0x102030));
     const Accumulator first = lit<TypeParam>({.lights = {a}}), second = lit<TypeParam>({.lights = {b}});

@@ -86,5 +86,11 @@ TEST(Scaled, ToFixedSaturatesWhereTheNumberDoesNotFit) {
     static_assert(Scaled{0x80000000u, INT16_MAX}.to_fixed(63) == UINT64_MAX);
 }
 
+TEST(Scaled, ExponentsSaturateAtBothEnds) {
+    static_assert((Scaled{UINT32_MAX, INT16_MAX} * Scaled(4)).exponent == INT16_MAX);
+    static_assert((Scaled{UINT32_MAX, INT16_MIN} * 0.25_scaled).exponent == INT16_MIN);
+    static_assert(Scaled::normalized(1, 100'000).exponent == INT16_MAX && Scaled::normalized(1, -100'000).exponent == INT16_MIN);
+}
+
 }  // namespace
 }  // namespace shade16

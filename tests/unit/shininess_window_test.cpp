@@ -26,8 +26,8 @@ double worst_levels(const Window& window, Q16 exponent) {
     const uint32_t step = window.u_end / 30'000 + 1;
     for (uint32_t u = 0; u < window.u_end; u += step) check(u);
     for (uint32_t near = 1; near < 100; ++near) check(window.u_end - near);
-    // The window ends on a whole cell.
-    for (uint32_t u = window.u_end + (uint32_t{1} << window.cell_bits); u < one_q29 + one_q29 / 8; u += 4001) check(u);
+    for (uint32_t near = 0; near < 100; ++near) check(window.u_end + near);
+    for (uint32_t u = window.u_end; u < one_q29 + one_q29 / 8; u += 4001) check(u);
     check(2 * one_q29);
     return worst;
 }

@@ -58,7 +58,7 @@ SHADE16_INLINE constexpr int32_t saturate(int64_t x) {
 
 /// x * 2^n for any n, rounded half up when n < 0, saturated when n > 0.
 SHADE16_ONCE constexpr int32_t scale_by_power_of_two(int64_t x, int n) {
-    if (n < -62) return 0;
+    if (n < -63) return 0;
     if (n <= 0) return saturate(shift_right_round(x, -n));
     if (x == 0) return 0;
     if (n >= leading_zeros(magnitude(x)) - 1) return x < 0 ? INT32_MIN : INT32_MAX;

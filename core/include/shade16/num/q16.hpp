@@ -13,7 +13,7 @@ struct Q16 {
     int32_t raw = 0;
 
     constexpr Q16() = default;
-    consteval Q16(int whole) : raw(static_cast<int32_t>(int32_t{whole} * 65536)) {
+    consteval Q16(int whole) : raw(static_cast<int32_t>(int64_t{whole} * 65536)) {
         if (whole < -32768 || whole > 32767) literal_is_out_of_range_for_its_type();
     }
     static constexpr Q16 from_raw(int32_t raw) {

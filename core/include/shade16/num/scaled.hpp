@@ -21,11 +21,11 @@ struct Scaled {
             mantissa >>= 1;
             ++exponent;
         }
-        return {static_cast<uint32_t>(mantissa), static_cast<int16_t>(exponent)};
+        return {static_cast<uint32_t>(mantissa), exponent};
     }
 
     constexpr Scaled() = default;
-    constexpr Scaled(uint32_t m, int e) : mantissa(m), exponent(static_cast<int16_t>(e)) {}
+    constexpr Scaled(uint32_t m, int e) : mantissa(m), exponent(static_cast<int16_t>(clamp<int>(e, INT16_MIN, INT16_MAX))) {}
     consteval Scaled(int whole) {
         if (whole < 0) literal_is_out_of_range_for_its_type();
         *this = normalized(static_cast<uint64_t>(whole), 0);

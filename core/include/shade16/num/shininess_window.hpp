@@ -64,7 +64,7 @@ private:
         const uint64_t t = log_over_n.to_fixed(48);
         const uint32_t window = (0u - exp2_negative(t)) >> 3;  // 1 - error^(1/n), in Q29
         cell_bits = static_cast<uint8_t>(max(0, 16 - leading_zeros(window)));
-        const uint32_t cells = window >> cell_bits;
+        const uint32_t cells = (window >> cell_bits) + 1;  // whole cells that hold the window
         u_end = cells << cell_bits;
         scale = quotient(Segments << 24, cells);
     }

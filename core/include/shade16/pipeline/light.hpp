@@ -130,7 +130,7 @@ constexpr Accumulator light_point(const ObjectLighting<Tier>& object, View<Objec
             if (shininess == nullptr) continue;
             UnitVector<Tier> half = light.half;
             if (is_point || local_viewer) half = detail::half_of(direction, view, Arithmetic<Tier>::rsqrt_bits);
-            if (detail::is_zero(half)) continue;
+            if (detail::is_zero(half) || (local_viewer && detail::is_zero(view))) continue;
             uint32_t power = shininess->power(detail::chord(normal, half));
             if constexpr (N.attenuation)
                 if (fades) power = detail::attenuated<wide>(power, fading);

@@ -29,18 +29,17 @@ struct Camera {
 };
 
 namespace detail {
-/// The direction of to - from: exact, halved only if the difference needs 33 bits.
-constexpr IVec3 direction_between(Vec3 from, Vec3 to) {
-    const int64_t x = int64_t{to.x.raw} - from.x.raw, y = int64_t{to.y.raw} - from.y.raw, z = int64_t{to.z.raw} - from.z.raw;
-    const int shift = (magnitude(x) | magnitude(y) | magnitude(z)) >> 31 ? 1 : 0;
-    return {saturate(x >> shift), saturate(y >> shift), saturate(z >> shift)};
+/// The direction of a vector of 64-bit components below 2^62; zero for a zero vector.
+SHADE16_ONCE constexpr Normal30 unit_direction(int64_t x, int64_t y, int64_t z) {
+    const int excess = max(0, 34 - leading_zeros(magnitude(x) | magnitude(y) | magnitude(z)));
+    const auto shortened = [excess](int64_t c) { return static_cast<int32_t>(shift_right_round(c, excess)); };
+    return normalize_finely({shortened(x), shortened(y), shortened(z)});
 }
-/// a x b of two unit vectors, normalised; zero where they are parallel.
+/// a x b of two unit vectors, normalised from the exact product: orthogonal to both however small it is; zero where they
+/// are parallel.
 SHADE16_ONCE constexpr Normal30 unit_cross(const Normal30& a, const Normal30& b) {
-    const auto component = [](Q30 p, Q30 q, Q30 r, Q30 s) {
-        return saturate(shift_right_round((multiply(p.raw, q.raw) >> 1) - (multiply(r.raw, s.raw) >> 1), 29));
-    };
-    return normalize_finely({component(a.y, b.z, a.z, b.y), component(a.z, b.x, a.x, b.z), component(a.x, b.y, a.y, b.x)});
+    const auto component = [](Q30 p, Q30 q, Q30 r, Q30 s) { return multiply(p.raw, q.raw) - multiply(r.raw, s.raw); };
+    return unit_direction(component(a.y, b.z, a.z, b.y), component(a.z, b.x, a.x, b.z), component(a.x, b.y, a.y, b.x));
 }
 }  // namespace detail
 
@@ -48,7 +47,9 @@ SHADE16_ONCE constexpr Normal30 unit_cross(const Normal30& a, const Normal30& b)
 /// A target at the eye looks down -z; an `up` along the axis is replaced by the world axis least along it.
 /// Error   rows are unit length and orthogonal within 5e-9.
 constexpr Mat3 look_rotation(const Camera& camera) {
-    Normal30 back = normalize_finely(detail::direction_between(camera.target, camera.eye));
+    const auto difference = [](Q16 a, Q16 b) { return int64_t{a.raw} - b.raw; };
+    Normal30 back = detail::unit_direction(difference(camera.eye.x, camera.target.x), difference(camera.eye.y, camera.target.y),
+                                           difference(camera.eye.z, camera.target.z));
     if (back == Normal30{}) back = {{}, {}, {Q30::one}};
 
     Normal30 right = detail::unit_cross(normalize(camera.up), back);
