@@ -60,11 +60,11 @@ TEST(Normalize, SixteenBitsWithTheLargerTableKeepTheBound) {
     EXPECT_LE(worst.angle_ulp, angle_bound_ulp(0.5, 0.5));
 }
 
-TEST(Normalize, SixteenBitsWithTheSmallerTableKeepTwiceTheBound) {
+TEST(Normalize, SixteenBitsWithTheSmallerTableKeepTheirBound) {
     const Worst worst = worst_errors(normalize14<6>, 14);
     RecordProperty("worst_component_ulp", std::to_string(worst.component_ulp));
     RecordProperty("worst_angle_ulp", std::to_string(worst.angle_ulp));
-    EXPECT_LE(worst.component_ulp, 2 * normalize14_max_error_ulp);
+    EXPECT_LE(worst.component_ulp, normalize14_small_max_error_ulp);
     EXPECT_LE(worst.angle_ulp, angle_bound_ulp(0.5, 0.5));
 }
 

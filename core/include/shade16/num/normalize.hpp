@@ -17,14 +17,15 @@ SHADE16_INLINE constexpr IVec3 with_top_bit_at(IVec3 v, uint32_t magnitudes, int
 SHADE16_INLINE constexpr uint32_t magnitudes(IVec3 v) { return magnitude(v.x) | magnitude(v.y) | magnitude(v.z); }
 }  // namespace detail
 
-inline constexpr int32_t normalize14_max_error_ulp = 2;  // of Unit14, a component, with the table of 97
+inline constexpr int32_t normalize14_max_error_ulp = 2;       // of Unit14, a component, with the table of 97
+inline constexpr int32_t normalize14_small_max_error_ulp = 4;  // with the table of 49
 inline constexpr int32_t normalize30_max_error_ulp = 64;  // of Q30, a component: 6e-8
 
 /// v / |v| in 16 bits.
 /// Range   any v; a zero vector gives a zero vector.
-/// Error   normalize14_max_error_ulp with Bits = 7 (1.41 measured), 4 ulp with Bits = 6.
+/// Error   normalize14_max_error_ulp with Bits = 7 (1.41 measured), normalize14_small_max_error_ulp with Bits = 6 (3.50).
 /// Cost    M0+ 171, M3 89 cycles (prototype figures).
-/// Source  research on block-floating normalisation: docs/DESIGN.md.
+/// Source  block-floating shift, then x / sqrt(x.x).
 template <int Bits>
 SHADE16_ONCE constexpr Normal14 normalize14(IVec3 v) {
     const uint32_t m = detail::magnitudes(v);

@@ -46,7 +46,7 @@ SHADE16_INLINE constexpr void walk(const TriangleSetup<Tier>& t, const PixelBox&
 }  // namespace detail
 
 /// Draws a triangle's pixels inside `box`, which is not empty and inside the band.
-/// Error   coverage none; colour packed_ or exact_stepping_max_error before rounding; depth 1 of 65536.
+/// Error   coverage none; colour packed_ or exact_stepping_max_error before rounding; depth 2 of 65536.
 template <Stepping Step, bool Depth, PixelFormat Format, PrecisionTier Tier>
 constexpr void raster(const TriangleSetup<Tier>& t, const PixelBox& box, const Band<Format>& band) {
     const RasterPoint from_corner{8 - (t.p[0].x & 15), (first_centre(t.p[0].y) << 4) + 8 - t.p[0].y};
