@@ -40,3 +40,9 @@ if(TARGET system_tests AND TARGET shade16)
   target_compile_definitions(system_tests PRIVATE SHADE16_PROGRAM="$<TARGET_FILE:shade16>")
   add_dependencies(system_tests shade16)
 endif()
+
+# The renderer's own tests once more by themselves: the sanitizers run this label, random scenes included.
+if(TARGET system_tests)
+  add_test(NAME renderer COMMAND system_tests --gtest_filter=Renderer.*:OnePicture*)
+  set_tests_properties(renderer PROPERTIES TIMEOUT 120 LABELS raster)
+endif()
