@@ -20,6 +20,9 @@ namespace {
 std::atomic<bool> is_cursor_hidden{false}, are_keys_raw{false};
 termios keys_before{};
 
+/// A program in the background that set the terminal would be stopped, in a signal handler for good.
+bool is_keyboard_ours() { return tcgetpgrp(STDIN_FILENO) == getpgrp(); }
+
 void say(std::string_view text) {
     if (::write(STDOUT_FILENO, text.data(), text.size()) < 0) return;  // the terminal is gone: nothing to restore
 }
@@ -36,7 +39,7 @@ Viewport pixels_of_terminal() {
 
 TerminalHeld::TerminalHeld() {
     if (!isatty(STDOUT_FILENO)) return;
-    if (isatty(STDIN_FILENO) && tcgetattr(STDIN_FILENO, &keys_before) == 0) {
+    if (is_keyboard_ours() && tcgetattr(STDIN_FILENO, &keys_before) == 0) {
         termios raw = keys_before;
         raw.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
         raw.c_cc[VSUSP] = _POSIX_VDISABLE;  // a stopped program would leave the shell without echo
@@ -51,13 +54,13 @@ TerminalHeld::~TerminalHeld() { restore_terminal(); }
 
 void restore_terminal() noexcept {
     const int before = errno;
-    if (are_keys_raw.exchange(false)) tcsetattr(STDIN_FILENO, TCSANOW, &keys_before);
+    if (are_keys_raw.exchange(false) && is_keyboard_ours()) tcsetattr(STDIN_FILENO, TCSANOW, &keys_before);
     if (is_cursor_hidden.exchange(false)) say("\033[0m\033[?25h\n");
     errno = before;
 }
 
 bool is_quit_typed(int milliseconds) {
-    pollfd keys{isatty(STDIN_FILENO) ? STDIN_FILENO : -1, POLLIN, 0};
+    pollfd keys{is_keyboard_ours() ? STDIN_FILENO : -1, POLLIN, 0};
     if (poll(&keys, 1, milliseconds) <= 0) return false;
     char key = 0;
     if (::read(STDIN_FILENO, &key, 1) <= 0) return true;  // nobody can type any more

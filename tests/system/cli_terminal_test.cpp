@@ -57,11 +57,17 @@ TEST(CliPreview, fills_the_terminal_and_gives_the_cursor_back) {
 
 TEST(CliPreview, ctrl_c_gives_the_cursor_back) {
     if (!has_program("script")) GTEST_SKIP() << "script is not installed.";
-    const Ran ran = run_shell("export shade16 TERM=xterm; script -qefc 'timeout -s INT 1 $shade16 preview " + teapot() +
-                              "' /dev/null </dev/null");
-    EXPECT_GT(count_of(ran.out, half_block), 0u);
-    ASSERT_NE(ran.out.rfind(show), std::string::npos);
-    EXPECT_GT(ran.out.rfind(show), ran.out.rfind(half_block));
+    // `timeout` makes a background job of what it runs where it is not the shell itself, as from dash.
+    for (const char* shell : {"/bin/sh", "/bin/bash"})
+        for (const char* place : {"", "--foreground "}) {
+            SCOPED_TRACE(std::string(shell) + " " + place);
+            const Ran ran = run_shell("export shade16 TERM=xterm SHELL=" + std::string(shell) + "; script -qefc 'timeout " +
+                                      place + "-k 20 -s INT 1 $shade16 preview " + teapot() + "' /dev/null </dev/null");
+            EXPECT_NE(ran.exit_code, 137);  // killed: the signal did not end it
+            EXPECT_GT(count_of(ran.out, half_block), 0u);
+            ASSERT_NE(ran.out.rfind(show), std::string::npos);
+            EXPECT_GT(ran.out.rfind(show), ran.out.rfind(half_block));
+        }
 }
 
 TEST(CliPreview, one_frame_without_cursor_movement_where_there_is_no_terminal) {
