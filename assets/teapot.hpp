@@ -412,17 +412,12 @@ inline constexpr shade16::Mesh teapot{
     .positions = teapot_positions,
     .normals = teapot_normals,
     .triangles = teapot_triangles,
-    .centre = {shade16::Q16::from_raw(0),
-               shade16::Q16::from_raw(0),
-               shade16::Q16::from_raw(0)},
     .fraction_bits = 10,
-    .convex = false,
 };
 inline constexpr shade16::Material teapot_material{
-    .ambient = shade16::Rgb{{21588}, {14649}, {1799}},
-    .diffuse = shade16::Rgb{{51143}, {37265}, {7453}},
-    .specular = shade16::Rgb{{65021}, {61680}, {52942}},
-    .emissive = shade16::Rgb{{0}, {0}, {0}},
+    .ambient = shade16::rgb(0x543907),
+    .diffuse = shade16::rgb(0xC7911D),
+    .specular = shade16::rgb(0xFDF0CE),
     .shininess = shade16::Q16::from_raw(1828284),
 };
 

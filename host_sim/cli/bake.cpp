@@ -8,7 +8,8 @@
 #include "host_sim/model/bake_header.hpp"
 #include "host_sim/model/identifier.hpp"
 #include "host_sim/model/obj_import.hpp"
-#include "host_sim/scene_file/loaded_scene.hpp"
+#include "host_sim/scene_file/bake_scene.hpp"
+#include "host_sim/scene_file/read_scene.hpp"
 
 namespace shade16::host {
 
@@ -21,7 +22,7 @@ std::string name_of(const BakeOptions& o) {
     return o.name;
 }
 
-std::string result_text(const BakeOptions& o, const BakedModel& baked) {
+std::string model_text(const BakeOptions& o, const BakedModel& baked) {
     std::string text = fmt::format(
         "{}: {}, {}, {} bytes of flash\n"
         "  rounding moved positions by at most {:.3g} of the model's units, and normals by at most {:.3g} degrees\n",
@@ -36,21 +37,54 @@ std::string result_text(const BakeOptions& o, const BakedModel& baked) {
     return text;
 }
 
+std::string scene_text(const BakeOptions& o, const LoadedScene& scene) {
+    const MeshFigures sum = mesh_figures(scene);
+    return fmt::format("{}: {}, {}, {} bytes of flash\n  {}, {}, {} of {}x{} pixels\n", o.output,
+                       counted(sum.vertices, "vertex", "vertices"), counted(sum.triangles, "triangle", "triangles"),
+                       sum.flash_bytes, counted(scene.scene().objects.count, "object", "objects"),
+                       counted(scene.scene().lights.count, "light", "lights"),
+                       counted(static_cast<std::size_t>(baked_frames(scene)), "frame", "frames"),
+                       scene.description().output.size.width, scene.description().output.size.height);
+}
+
+void refuse_to_overwrite(const std::string& input, const std::string& output, const char* what) {
+    std::error_code ignored;
+    if (std::filesystem::equivalent(input, output, ignored))
+        throw input_error("{}: is {}; expected another name for the header.", output, what);
+}
+
+void finish(const BakeOptions& o, const std::string& header, const std::string& result) {
+    write_file(o.output, header);
+    if (o.json || !o.quiet) print_beside(o.output, result);
+}
+
+ExitCode bake_model(const BakeOptions& o) {
+    refuse_to_overwrite(o.model, o.output, "the model itself");
+    const std::string name = name_of(o);
+    const BakedModel baked = quantize(import_obj(o.model));
+    if (!o.quiet) print_warnings(baked.warnings);
+    finish(o, bake_header(baked, name), o.json ? bake_json(o, baked) : model_text(o, baked));
+    return ExitCode::ok;
+}
+
+ExitCode bake_scene(const BakeOptions& o) {
+    refuse_to_overwrite(o.model, o.output, "the scene file itself");
+    const std::string name = name_of(o);
+    const LoadedScene scene(read_scene(o.model));
+    for (const MeshDescription& mesh : scene.description().meshes)
+        if (mesh.kind == ShapeKind::file)
+            refuse_to_overwrite((std::filesystem::path(o.model).parent_path() / mesh.file).string(), o.output,
+                                "a model of the scene");
+    if (!o.quiet) print_warnings(scene.warnings());
+    finish(o, bake_scene_header(scene, name), o.json ? bake_json(o, scene) : scene_text(o, scene));
+    return ExitCode::ok;
+}
+
 }  // namespace
 
 ExitCode bake(const BakeOptions& o) {
     if (o.output.empty()) throw input_error("--output: the name is empty; expected one such as mesh.hpp.");
-    if (is_scene_file(o.model)) throw input_error("{}: is a scene file; expected a model such as teapot.obj.", o.model);
-    std::error_code ignored;
-    if (std::filesystem::equivalent(o.model, o.output, ignored))
-        throw input_error("{}: is the model itself; expected another name for the header.", o.output);
-    const std::string name = name_of(o);
-    const BakedModel baked = quantize(import_obj(o.model));
-    if (!o.quiet) print_warnings(baked.warnings);
-    write_file(o.output, bake_header(baked, name));
-    if (o.json) print_beside(o.output, bake_json(o, baked));
-    else if (!o.quiet) print_beside(o.output, result_text(o, baked));
-    return ExitCode::ok;
+    return is_scene_file(o.model) ? bake_scene(o) : bake_model(o);
 }
 
 }  // namespace shade16::host

@@ -1,4 +1,4 @@
-// shade16 bake: a model to a C++ header.
+// shade16 bake: a model or a scene to a C++ header.
 #pragma once
 
 #include "host_sim/cli/options.hpp"

@@ -29,14 +29,9 @@ void add_json(CLI::App& app, bool& is_wanted) {
     add_flag(app, "--json", is_wanted, "print the figures as one JSON object");
 }
 
-void add_scene(CLI::App& app, std::string& model) {
-    app.add_option("SCENE", model, "a scene file (.toml), or a Wavefront OBJ file to be fitted into the frame")
-        ->required()
-        ->type_name("");
-}
-
-void add_model(CLI::App& app, std::string& model) {
-    app.add_option("MODEL.obj", model, "a Wavefront OBJ file")->required()->type_name("");
+void add_scene(CLI::App& app, std::string& model,
+               const char* help = "a scene file (.toml), or a Wavefront OBJ file to be fitted into the frame") {
+    app.add_option("SCENE", model, help)->required()->type_name("");
 }
 
 void add_tier(CLI::App& app, std::string& tier, const char* help) {
@@ -92,11 +87,12 @@ void add_compare(CLI::App& app, CompareOptions& o) {
 }
 
 void add_bake(CLI::App& app, BakeOptions& o) {
-    add_model(app, o.model);
+    add_scene(app, o.model, "a scene file (.toml), or a Wavefront OBJ file");
     add(app, "-o,--output", "HEADER", "the header to write; '-' is standard output", [&](const std::string& path) {
         o.output = path;
     })->required();
-    add(app, "--name", "NAME", "of the mesh in C++ [the header's]", [&](const std::string& name) { o.name = name; });
+    add(app, "--name", "NAME", "of the mesh or the scene in C++ [the header's]",
+        [&](const std::string& name) { o.name = name; });
     add_flag(app, "--quiet", o.quiet, "print errors only");
     add_json(app, o.json);
 }
@@ -140,7 +136,7 @@ public:
         app_.require_subcommand(1);
         render_ = app_.add_subcommand("render", "draw a model: a picture, a film or raw pixels");
         compare_ = app_.add_subcommand("compare", "measure the engine against double precision");
-        bake_ = app_.add_subcommand("bake", "turn a model into a C++ header");
+        bake_ = app_.add_subcommand("bake", "turn a model or a scene into a C++ header");
         add_render(*render_, render_options_);
         add_compare(*compare_, compare_options_);
         info_ = app_.add_subcommand("info", "say what a model needs, and what it takes in flash and RAM");
@@ -181,9 +177,11 @@ private:
 
     static const RenderOptions& checked(const RenderOptions& o) {
         if (o.output.empty() && !o.dump_scene)
-            throw input_error("the name of the output is missing: expected -o and a name; see 'shade16 render --help'.");
+            throw input_error(
+                "the name of the output is missing: expected -o and a name; see 'shade16 render --help'.");
         if (!o.output.empty() && o.dump_scene)
-            throw input_error("--dump-scene: draws nothing and prints to standard output; expected no --output beside it.");
+            throw input_error(
+                "--dump-scene: draws nothing and prints to standard output; expected no --output beside it.");
         return o;
     }
 

@@ -46,8 +46,10 @@ inline constexpr const char* bake_help =
     R"(Examples:
   shade16 bake teapot.obj -o teapot.hpp                 defines assets::teapot and assets::teapot_material
   shade16 bake teapot.obj -o mesh.hpp --name pot        defines assets::pot and assets::pot_material
+  shade16 bake scene.toml -o scene.hpp                  defines assets::scene::scene, its meshes and its animation
 
-Rounds the model to 16 bits a coordinate and writes it as a C++ header of constants, which stay in flash.
+Rounds models to 16 bits a coordinate and writes them as a C++ header of constants, which stay in flash; of a scene file
+everything that it says. docs/scene-file.md tells how an image draws such a header.
 )";
 
 inline constexpr const char* info_help =

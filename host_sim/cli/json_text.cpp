@@ -5,6 +5,7 @@
 
 #include "host_sim/cli/comparison_text.hpp"
 #include "host_sim/report/terms.hpp"
+#include "host_sim/scene_file/bake_scene.hpp"
 
 namespace shade16::host {
 
@@ -114,6 +115,22 @@ std::string bake_json(const BakeOptions& o, const BakedModel& baked) {
                                  {"triangles", part.triangles.size()},
                                  {"convex", part.convex}});
     json["warnings"] = baked.warnings;
+    return finished(json);
+}
+
+std::string bake_json(const BakeOptions& o, const LoadedScene& scene) {
+    const MeshFigures sum = mesh_figures(scene);
+    Json json = beginning("bake");
+    json["output"] = o.output;
+    json["vertices"] = sum.vertices;
+    json["triangles"] = sum.triangles;
+    json["flash_bytes"] = sum.flash_bytes;
+    json["objects"] = scene.scene().objects.count;
+    json["lights"] = scene.scene().lights.count;
+    json["frames"] = baked_frames(scene);
+    json["width"] = scene.description().output.size.width;
+    json["height"] = scene.description().output.size.height;
+    json["warnings"] = scene.warnings();
     return finished(json);
 }
 

@@ -8,6 +8,7 @@
 #include "host_sim/engine/model_scene.hpp"
 #include "host_sim/report/compare.hpp"
 #include "host_sim/report/survey.hpp"
+#include "host_sim/scene_file/loaded_scene.hpp"
 
 namespace shade16::host {
 
@@ -19,6 +20,7 @@ std::string compare_json(const CompareOptions& options, const std::vector<Compar
                          const AnimatedScene& scene);
 
 std::string bake_json(const BakeOptions& options, const BakedModel& baked);
+std::string bake_json(const BakeOptions& options, const LoadedScene& scene);
 
 std::string info_json(const Survey& survey, const std::vector<std::string>& warnings);
 

@@ -39,7 +39,7 @@ std::string reworded(const std::string& error_class, std::string text) {
     if (error_class != "RequiredError") return text;
     if (option == "--output") return "the name of the output is missing: expected -o and a name";
     if (option == "SCENE") return "the name of the scene is missing: expected SCENE.toml or MODEL.obj";
-    return "the name of the model is missing: expected " + option;
+    return text;
 }
 
 }  // namespace shade16::host

@@ -7,7 +7,7 @@ namespace shade16::host {
 
 namespace {
 
-// The last two are macros where GNU extensions are on.
+// `linux` and `unix` are macros where GNU extensions are on; a namespace `shade16` in another one would hide the engine's.
 // clang-format off
 constexpr std::string_view keywords[] = {
     "alignas", "alignof", "and", "and_eq", "asm", "auto", "bitand", "bitor", "bool", "break", "case", "catch",
@@ -18,7 +18,8 @@ constexpr std::string_view keywords[] = {
     "operator", "or", "or_eq", "private", "protected", "public", "register", "reinterpret_cast", "requires",
     "return", "short", "signed", "sizeof", "static", "static_assert", "static_cast", "struct", "switch", "template",
     "this", "thread_local", "throw", "true", "try", "typedef", "typeid", "typename", "union", "unsigned", "using",
-    "virtual", "void", "volatile", "wchar_t", "while", "xor", "xor_eq", "linux", "unix"};
+    "virtual", "void", "volatile", "wchar_t", "while", "xor", "xor_eq", "linux", "unix",
+    "shade16"};
 // clang-format on
 
 bool is_letter(char c) { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z'); }

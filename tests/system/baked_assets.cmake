@@ -1,20 +1,37 @@
-# The baked models under assets/ are what `shade16 bake` makes of the models beside them today.
+# The baked headers under FOLDER are what `shade16 bake` makes of the files beside them today. With ALL every file has its
+# header, too.
 cmake_minimum_required(VERSION 3.25)
 
-file(GLOB headers ${SOURCE}/assets/*.hpp)
+file(GLOB headers RELATIVE ${SOURCE} ${SOURCE}/${FOLDER}/*.hpp)
+file(GLOB sources RELATIVE ${SOURCE} ${SOURCE}/${FOLDER}/*.${ENDING})
 if(NOT headers)
-  message(FATAL_ERROR "There is no baked model under assets/: this test would pass without looking at anything.")
+  message(FATAL_ERROR "There is no baked header under ${FOLDER}/: this test would pass without looking at anything.")
 endif()
+if(ALL)
+  list(TRANSFORM sources REPLACE "\\.${ENDING}$" ".hpp" OUTPUT_VARIABLE expected)
+  list(REMOVE_ITEM expected ${headers})
+  foreach(header IN LISTS expected)
+    cmake_path(REPLACE_EXTENSION header LAST_ONLY ${ENDING} OUTPUT_VARIABLE source)
+    message(SEND_ERROR "${header} is missing: run 'shade16 bake ${source} -o ${header}'.")
+  endforeach()
+endif()
+
 file(MAKE_DIRECTORY ${SCRATCH})
 foreach(header IN LISTS headers)
-  cmake_path(GET header STEM name)
-  execute_process(COMMAND ${PROGRAM} bake ${SOURCE}/assets/${name}.obj -o ${SCRATCH}/${name}.hpp
+  cmake_path(GET header FILENAME name)
+  cmake_path(REPLACE_EXTENSION header LAST_ONLY ${ENDING} OUTPUT_VARIABLE source)
+  if(NOT source IN_LIST sources)
+    message(SEND_ERROR "${header} was baked of ${source}, which is not there.")
+    continue()
+  endif()
+  execute_process(COMMAND ${PROGRAM} bake ${SOURCE}/${source} -o ${SCRATCH}/${name}
     RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE message)
   if(status)
     message(FATAL_ERROR "'shade16 bake' ended with ${status}: ${message}")
   endif()
-  execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${header} ${SCRATCH}/${name}.hpp RESULT_VARIABLE differs)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${SOURCE}/${header} ${SCRATCH}/${name}
+    RESULT_VARIABLE differs)
   if(differs)
-    message(FATAL_ERROR "assets/${name}.hpp is stale: run 'shade16 bake assets/${name}.obj -o assets/${name}.hpp'.")
+    message(SEND_ERROR "${header} is stale: run 'shade16 bake ${source} -o ${header}'.")
   endif()
 endforeach()

@@ -26,7 +26,9 @@ shade16_add_script_test(core_has_no_floating_point LABEL system SCRIPT system/no
 shade16_add_script_test(readme_shows_the_program LABEL system SCRIPT system/readme_program.cmake SOURCE=${PROJECT_SOURCE_DIR})
 if(TARGET shade16)
   shade16_add_script_test(baked_assets_are_fresh LABEL system SCRIPT system/baked_assets.cmake SOURCE=${PROJECT_SOURCE_DIR}
-    PROGRAM=$<TARGET_FILE:shade16> SCRATCH=${CMAKE_CURRENT_BINARY_DIR}/baked_assets)
+    FOLDER=assets ENDING=obj PROGRAM=$<TARGET_FILE:shade16> SCRATCH=${CMAKE_CURRENT_BINARY_DIR}/baked_assets)
+  shade16_add_script_test(baked_scenes_are_fresh LABEL system SCRIPT system/baked_assets.cmake SOURCE=${PROJECT_SOURCE_DIR}
+    FOLDER=assets/scenes ENDING=toml ALL=ON PROGRAM=$<TARGET_FILE:shade16> SCRATCH=${CMAKE_CURRENT_BINARY_DIR}/baked_scenes)
 endif()
 
 # The core with no C++ library, on every kind of machine.

@@ -1,0 +1,33 @@
+#include "host_sim/scene_file/shape_text.hpp"
+
+#include <fmt/format.h>
+
+namespace shade16::host {
+
+namespace {
+
+// Clang 14 gives up on a constant expression after 2^20 steps: a torus of 64 x 32 still is within them, twice that is
+// not.
+constexpr uint32_t most_vertices = 2048;
+
+}  // namespace
+
+std::string shape_text(const MeshDescription& m) {
+    if (!m.colors.empty() || m.around * m.along > most_vertices) return {};
+    switch (m.kind) {
+        case ShapeKind::cube:
+            return "shade16::cube.mesh()";
+        case ShapeKind::quad:
+            return "shade16::quad.mesh()";
+        case ShapeKind::sphere:
+            return fmt::format("shade16::sphere<{}, {}>.mesh()", m.around, m.along);
+        case ShapeKind::torus:
+            if (m.minor_radius.raw == torus_minor_radius)
+                return fmt::format("shade16::torus<{}, {}>.mesh()", m.around, m.along);
+            return fmt::format("shade16::torus<{}, {}, {}>.mesh()", m.around, m.along, m.minor_radius.raw);
+        default:
+            return {};
+    }
+}
+
+}  // namespace shade16::host
