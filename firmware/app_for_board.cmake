@@ -31,3 +31,7 @@ function(shade16_build_app name source)
   shade16_add_image(${name} ${source})
   target_link_options(${name} PRIVATE LINKER:--print-memory-usage)
 endfunction()
+
+function(shade16_build_scene name source)
+  shade16_add_image(${name} ${source})
+endfunction()

@@ -28,3 +28,8 @@ function(shade16_build_app name source)
     target_link_libraries(${name}_${board} PRIVATE shade16_host_console shade16_warnings)
   endforeach()
 endfunction()
+
+function(shade16_build_scene name source)
+  add_executable(${name} ${source})
+  target_link_libraries(${name} PRIVATE shade16_host_console shade16_warnings)
+endfunction()
