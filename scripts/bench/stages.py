@@ -1,0 +1,65 @@
+"""Which stage of a frame an instruction works for.
+
+The frames of its inline chain are asked from the inside out; the first whose file has a stage decides. Code that has
+none, such as a multiplication or memcpy that was not inlined, works for whoever called it, and counts there.
+"""
+from commands import BenchError
+from names import short_name
+
+STAGES = ("clear", "transform", "light", "setup", "raster")
+
+# A file's stage, or None to ask the caller; `functions` are those (or the classes) that belong to another stage.
+# "transform" also holds what is done once a frame and the walk over the triangles: fetching, rejecting, clipping.
+# "setup" is what is done once a triangle, from its area to its gradients and edges; "raster" once a row or pixel.
+_TABLE = {
+    "pipeline/transform.hpp": ("transform", {}),
+    "pipeline/lattice.hpp": ("transform", {}),
+    "pipeline/clip.hpp": ("transform", {}),
+    "pipeline/workspace.hpp": ("transform", {}),
+    "pipeline/renderer.hpp": ("transform", {}),
+    "pipeline/pipeline.hpp": ("transform", {
+        "light": ("light_vertex", "light_face", "lights_of", "color_of", "color_corners"),
+        "setup": ("draw_facing", "visible_part", "centre"),
+    }),
+    "pipeline/light.hpp": ("light", {}),
+    "pipeline/light_setup.hpp": ("light", {}),
+    "pipeline/face.hpp": ("light", {}),
+    "pipeline/vertex.hpp": ("light", {}),  # a vertex rounds its colour
+    "pipeline/setup.hpp": ("setup", {}),
+    "pipeline/edge.hpp": ("setup", {"raster": ("column", "next_row")}),
+    "pipeline/depth.hpp": ("setup", {"raster": ("next_row", "at", "nearer")}),
+    "pipeline/paint_packed.hpp": ("raster", {"setup": ("PackedPlanes", "skip_rows")}),
+    "pipeline/paint_exact.hpp": ("raster", {"setup": ("ExactPainter::ExactPainter", "skip_rows", "is_steep")}),
+    "pipeline/small_triangle.hpp": ("raster", {
+        "setup": ("is_small", "SmallEdge::SmallEdge", "quotient_below", "SmallGradient", "SmallPlanes", "draw_small"),
+    }),
+    "pipeline/raster.hpp": ("raster", {"setup": ("raster", "draw_triangle")}),
+    "target/band.hpp": (None, {"clear": ("clear", "fill", "fill_halfwords", "nearest_pixel")}),
+}
+_DRIVERS = ("firmware/apps/", "tests/")  # the program around the frame
+
+
+def _is_named(function, name):
+    return f"::{name}::" in f"::{function}::"
+
+
+def _stage_of_frame(frame):
+    if frame.file.startswith(_DRIVERS):
+        return "transform"
+    if frame.file not in _TABLE:
+        if frame.file.startswith("pipeline/"):
+            raise BenchError(f"core/include/shade16/{frame.file} has no stage: add it to scripts/bench/stages.py.")
+        return None
+    stage, functions = _TABLE[frame.file]
+    name = short_name(frame.function)
+    return next((other for other, names in functions.items() if any(_is_named(name, n) for n in names)), stage)
+
+
+def stage_of(chain):
+    """The stage of an inline chain, innermost frame first; None if it works for its caller."""
+    return next((stage for stage in map(_stage_of_frame, chain) if stage), None)
+
+
+def files():
+    """The files that the table knows, for the test that finds new ones."""
+    return _TABLE.keys()
