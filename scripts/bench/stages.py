@@ -3,6 +3,8 @@
 The frames of its inline chain are asked from the inside out; the first whose file has a stage decides. Code that has
 none, such as a multiplication or memcpy that was not inlined, works for whoever called it, and counts there.
 """
+from functools import lru_cache
+
 from commands import BenchError
 from names import short_name
 
@@ -43,6 +45,7 @@ def _is_named(function, name):
     return f"::{name}::" in f"::{function}::"
 
 
+@lru_cache(maxsize=None)  # a frame is part of many chains
 def _stage_of_frame(frame):
     if frame.file.startswith(_DRIVERS):
         return "transform"

@@ -14,10 +14,11 @@ IN_MAIN, IN_HELPER = 6 + 2 * 100 + 3, 3 * 3
 
 
 class KnownCount(unittest.TestCase):
-    def setUp(self):
-        self.image = Image(IMAGE)
-        helper = self.image.extent("helper")
-        self.frame = FrameCount(self.image, PLUGIN, BOARD, [(helper.start, helper.stop)])
+    @classmethod
+    def setUpClass(cls):
+        cls.image = Image(IMAGE)
+        helper = cls.image.extent("helper")
+        cls.frame = FrameCount(cls.image, PLUGIN, BOARD, [(helper.start, helper.stop)])
 
     def test_every_instruction_of_the_first_frame_is_counted_once(self):
         self.assertEqual(self.frame.instructions, IN_MAIN + IN_HELPER)
