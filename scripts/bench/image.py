@@ -18,10 +18,10 @@ def _run(tool, *arguments, text=None):
     return run([TOOLS + tool, *arguments], "An image cannot be read", text)
 
 
-def _short_path(path):
+def short_path(path):
     """A path as the project knows it: the folders that a build stands in mean nothing to the reader."""
-    match = re.search(r"core/include/shade16/(.*)|/((?:firmware|boards|tests|assets)/.*)", path)
-    return (match[1] or match[2]) if match else path.rsplit("/", 1)[-1]
+    match = re.fullmatch(r".*/(?:core/include/shade16/|(?=(?:firmware|boards|tests|assets)/))(.*)", path)
+    return match[1] if match else path.rsplit("/", 1)[-1]
 
 
 class Image:
@@ -79,7 +79,7 @@ class Image:
             if line.startswith("0x"):
                 chain = chains[int(line, 16)] = []
             else:
-                chain.append(Frame(line, _short_path(next(lines).rsplit(":", 1)[0])))
+                chain.append(Frame(line, short_path(next(lines).rsplit(":", 1)[0])))
         return chains
 
 

@@ -10,7 +10,7 @@ import stages
 import tables
 from budgets import Budget
 from commands import BenchError
-from image import Frame
+from image import Frame, short_path
 from names import short_name
 from plan import BOARDS, SCENES, Row, budget_rows, tier_rows
 
@@ -101,6 +101,12 @@ class Names(unittest.TestCase):
                 "light_point(int) [clone .isra.0]": "light_point",
                 "memcpy": "memcpy"}.items():
             self.assertEqual(short_name(long), short)
+
+    def test_a_path_begins_where_the_project_does(self):
+        for long, short in {"/a/core/include/shade16/num/q16.hpp": "num/q16.hpp",
+                            "/tests/a/firmware/apps/scene.cpp": "firmware/apps/scene.cpp",
+                            "../../lib1funcs.S": "lib1funcs.S", "??": "??"}.items():
+            self.assertEqual(short_path(long), short)
 
 
 class Tables(unittest.TestCase):
