@@ -2,6 +2,7 @@
 import argparse
 import json
 import os
+import signal
 import sys
 
 import budgets
@@ -97,6 +98,7 @@ def profile(given, plugin):
 
 
 def main():
+    signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # '| head' ends it quietly
     given = arguments()
     try:
         run(["scripts/setup.sh"], "A package is missing and cannot be installed")
