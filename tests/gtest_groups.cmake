@@ -41,6 +41,15 @@ if(TARGET system_tests AND TARGET shade16)
   add_dependencies(system_tests shade16)
 endif()
 
+# Some compare with the baked scenes, compiled.
+get_property(scenes GLOBAL PROPERTY SHADE16_SCENES)
+if(TARGET system_tests AND scenes)
+  list(TRANSFORM scenes PREPEND scene_)
+  list(GET scenes 0 scene)
+  target_compile_definitions(system_tests PRIVATE SHADE16_SCENE_PROGRAMS="$<TARGET_FILE_DIR:${scene}>")
+  add_dependencies(system_tests ${scenes})
+endif()
+
 # The renderer's own tests once more by themselves: the sanitizers run this label, random scenes included.
 if(TARGET system_tests)
   add_test(NAME renderer COMMAND system_tests --gtest_filter=Renderer.*:OnePicture*)

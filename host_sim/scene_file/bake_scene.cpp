@@ -90,7 +90,7 @@ private:
         const BakedModel& baked = loaded_.meshes()[drawn.mesh].baked;
         const BakedPart& part = baked.parts[drawn.part];
         const std::string wish = baked.parts.size() == 1 ? description.name : description.name + "_" + part.name;
-        const std::string stem = names_.claim(identifier(wish), array_suffixes);
+        const std::string& stem = stems_[{drawn.mesh, drawn.part}] = names_.claim(identifier(wish), array_suffixes);
         const std::string shape = drawn.convex == std::vector<bool>{part.convex} ? shape_text(description) : "";
 
         std::string text = fmt::format("\n// {}: {} vertices, {} triangles, {} bytes of flash.\n", stem,
@@ -113,15 +113,21 @@ private:
         return mesh_names_.at({origin.mesh, origin.part, drawn(object).mesh.convex});
     }
 
+    /// The name of its arrays, whatever it says of being convex.
+    const std::string& stem_of(std::size_t object) const {
+        return stems_.at({loaded_.origins()[object].mesh, loaded_.origins()[object].part});
+    }
+
     std::string materials() {
         std::string text;
         for (std::size_t i = 0; i < loaded_.origins().size(); ++i) {
             const ObjectDescription& object = loaded_.description().objects[loaded_.origins()[i].object];
             const bool has_name = object.value && !object.material.empty();
+            const std::string& wish = has_name ? object.material : stem_of(i);
             // What a scene file calls 'quad' is another material than the mesh's own.
-            std::string& name = material_names_[{has_name, has_name ? object.material : mesh_of(i)}];
+            std::string& name = material_names_[{has_name, wish}];
             if (name.empty()) {
-                name = names_.claim(identifier((has_name ? object.material : mesh_of(i)) + "_material"), no_suffix);
+                name = names_.claim(identifier(wish + "_material"), no_suffix);
                 text +=
                     fmt::format("\ninline constexpr shade16::Material {}{};\n", name, material_text(drawn(i).material));
             }
@@ -177,6 +183,7 @@ private:
     const LoadedScene& loaded_;
     std::string name_;
     UniqueNames names_{};
+    std::map<std::pair<std::size_t, std::size_t>, std::string> stems_{};
     std::map<std::tuple<std::size_t, std::size_t, bool>, std::string> mesh_names_{};
     std::map<std::pair<bool, std::string>, std::string> material_names_{};
     std::vector<std::string> material_of_object_{};

@@ -94,6 +94,7 @@ TEST(Identifier, is_a_valid_name_for_any_text) {
     EXPECT_EQ(identifier("__Reserved__"), "Reserved");
     EXPECT_EQ(identifier("9lives"), "mesh_9lives");
     EXPECT_EQ(identifier("new"), "new_");
+    EXPECT_EQ(identifier("shade16"), "shade16_");
     EXPECT_EQ(identifier("\xC3\xA4"), "mesh");
     EXPECT_EQ(identifier(""), "mesh");
 }

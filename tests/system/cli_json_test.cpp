@@ -45,6 +45,14 @@ TEST(CliJson, bake_and_render_print_their_figures_beside_the_data) {
     EXPECT_EQ(drawn["frames"], 1);
     EXPECT_GT(drawn["fit"]["brightest_code"], 200);
 
+    const std::string scene = (source_directory() / "assets/scenes/everything.toml").string();
+    const json baked = printed("bake " + scene + " --json -o " + scratch.path("s.hpp"));
+    EXPECT_EQ(baked["vertices"], 518);
+    EXPECT_EQ(baked["flash_bytes"], 12048);
+    EXPECT_EQ(baked["objects"], 11);
+    EXPECT_EQ(baked["lights"], 5);
+    EXPECT_EQ(baked["frames"], 120);
+
     const Ran piped = shade16_program("bake " + teapot() + " --json -o -");
     EXPECT_TRUE(json::accept(piped.err)) << piped.err;
     EXPECT_THAT(piped.out, HasSubstr("shade16::Mesh"));

@@ -145,6 +145,18 @@ TEST(CliOutput, bake_says_what_it_made) {
     EXPECT_THAT(shade16_program("bake " + teapot() + " -o -").out, Not(HasSubstr("normals by")));
 }
 
+TEST(CliOutput, bake_says_what_it_made_of_a_scene_file) {
+    const ScratchDirectory scratch;
+    const std::string bake = "bake " + (source_directory() / "assets/scenes/s4.toml").string() + " -o ";
+    EXPECT_THAT(shade16_program(bake + scratch.path("lamps.hpp")).out,
+                HasSubstr("lamps.hpp: 482 vertices, 960 triangles, 11544 bytes of flash\n"
+                          "  1 object, 4 lights, 1 frame of 320x240 pixels\n"));
+    EXPECT_THAT(scratch.read("lamps.hpp"), HasSubstr("namespace assets::lamps {"));
+    EXPECT_THAT(shade16_program(bake + "- --name shown --quiet").out, HasSubstr("namespace assets::shown {"));
+    EXPECT_THAT(shade16_program(bake + "- --quiet").err, IsEmpty());
+    EXPECT_THAT(shade16_program(bake + "-").err, HasSubstr("bytes of flash"));
+}
+
 TEST(CliOutput, help_begins_with_examples) {
     for (const char* arguments : {"--help", "render --help", "compare --help", "bake --help", "info --help",
                                   "preview --help", "-h", "render -h"}) {

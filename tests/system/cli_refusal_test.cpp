@@ -183,6 +183,30 @@ TEST(CliRefusal, outputs_of_no_known_kind) {
     EXPECT_THAT(scratch.names(), IsEmpty());
 }
 
+TEST(CliRefusal, a_header_over_its_scene_file_or_one_of_its_models) {
+    const ScratchDirectory scratch;
+    const std::string text = "[meshes.m]\nfile = \"m.obj\"\n[[objects]]\nmesh = \"m\"\n";
+    const std::string scene = scratch.write("s.toml", text), model = scratch.write("m.obj", triangle);
+    const std::string bake = "bake " + scene + " -o ";
+    expect_refusal(shade16_program(bake + scene), 2, "s.toml: is the scene file itself; expected another name");
+    expect_refusal(shade16_program(bake + model), 2, "m.obj: is a model of the scene; expected another name");
+    expect_refusal(shade16_program(bake + "''"), 2, "--output: the name is empty");
+    expect_refusal(shade16_program(bake + scratch.path("no/a.hpp")), 3, "no/a.hpp");
+    expect_refusal(shade16_program(bake + scratch.path("a.hpp") + " --name 3d"), 2, "--name 3d: is no C++ name");
+    EXPECT_EQ(scratch.read("s.toml"), text);
+    EXPECT_EQ(scratch.read("m.obj"), triangle);
+    EXPECT_THAT(scratch.names(), ElementsAre("m.obj", "s.toml"));
+}
+
+TEST(CliRefusal, a_scene_that_cannot_be_baked) {
+    const ScratchDirectory scratch;
+    const std::string to = " -o " + scratch.path("a.hpp");
+    expect_refusal(shade16_program("bake " + scratch.path("no.toml") + to), 2, "no.toml: cannot be opened");
+    const std::string mistake = scratch.write("s.toml", "[meshes.m]\nshape = \"cube\"\n[[objects]]\nmesh = \"n\"\n");
+    expect_refusal(shade16_program("bake " + mistake + to), 2, "s.toml:3: object 1 wants the mesh 'n'");
+    EXPECT_THAT(scratch.names(), ElementsAre("s.toml"));
+}
+
 TEST(CliRefusal, a_header_over_its_model_or_with_no_name) {
     const ScratchDirectory scratch;
     const std::string model = scratch.write("m.obj", triangle);

@@ -1,17 +1,34 @@
 # Tests of the whole: boards against this computer, the build itself, and the rules that the core promises to keep.
 set(SHADE16_BOARD_BUILDS ${PROJECT_SOURCE_DIR}/build CACHE PATH "Where the boards are built: one folder a board")
 
-# The same app, the same words, on the board and here.
-get_property(apps GLOBAL PROPERTY SHADE16_APPS)
-get_property(boards GLOBAL PROPERTY SHADE16_EMULATED_BOARDS)
-foreach(board IN LISTS boards)
+# The same app, the same words, on the board and here: the apps that a board gives its screen, with the program that has
+# the same screen; the scenes, which have their own, wherever a board has the memory for them.
+function(shade16_same_on_board board app host_program)
   include(${SHADE16_BOARDS_DIR}/${board}/board.cmake)
   list(JOIN BOARD_EMULATOR " " emulator)
+  shade16_add_script_test(same_on_board.${app}.${board} LABEL boards SCRIPT system/same_on_board.cmake
+    BOARD=${board} "EMULATOR=${emulator}" IMAGE=${SHADE16_BOARD_BUILDS}/${board}/firmware/${app}.elf
+    HOST_PROGRAM=$<TARGET_FILE:${host_program}>)
+endfunction()
+
+function(shade16_has_scenes board result)
+  include(${SHADE16_BOARDS_DIR}/${board}/board.cmake)
+  set(${result} ${BOARD_SCENES} PARENT_SCOPE)
+endfunction()
+
+get_property(apps GLOBAL PROPERTY SHADE16_APPS)
+get_property(scenes GLOBAL PROPERTY SHADE16_SCENES)
+get_property(boards GLOBAL PROPERTY SHADE16_EMULATED_BOARDS)
+foreach(board IN LISTS boards)
   foreach(app IN LISTS apps)
-    shade16_add_script_test(same_on_board.${app}.${board} LABEL boards SCRIPT system/same_on_board.cmake
-      BOARD=${board} "EMULATOR=${emulator}" IMAGE=${SHADE16_BOARD_BUILDS}/${board}/firmware/${app}.elf
-      HOST_PROGRAM=$<TARGET_FILE:${app}_${board}>)
+    shade16_same_on_board(${board} ${app} ${app}_${board})
   endforeach()
+  shade16_has_scenes(${board} has_scenes)
+  if(has_scenes)
+    foreach(scene IN LISTS scenes)
+      shade16_same_on_board(${board} scene_${scene} scene_${scene})
+    endforeach()
+  endif()
 endforeach()
 
 list(JOIN SHADE16_BOARDS " " boards)
@@ -29,6 +46,8 @@ if(TARGET shade16)
     FOLDER=assets ENDING=obj PROGRAM=$<TARGET_FILE:shade16> SCRATCH=${CMAKE_CURRENT_BINARY_DIR}/baked_assets)
   shade16_add_script_test(baked_scenes_are_fresh LABEL system SCRIPT system/baked_assets.cmake SOURCE=${PROJECT_SOURCE_DIR}
     FOLDER=assets/scenes ENDING=toml ALL=ON PROGRAM=$<TARGET_FILE:shade16> SCRATCH=${CMAKE_CURRENT_BINARY_DIR}/baked_scenes)
+  shade16_add_script_test(baked_assets.stale_ones_are_found LABEL system SCRIPT system/baked_assets_self_test.cmake
+    PROGRAM=$<TARGET_FILE:shade16> SCRATCH=${CMAKE_CURRENT_BINARY_DIR}/baked_assets_self_test)
 endif()
 
 # The core with no C++ library, on every kind of machine.
