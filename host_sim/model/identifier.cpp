@@ -7,7 +7,8 @@ namespace shade16::host {
 
 namespace {
 
-// `linux` and `unix` are macros where GNU extensions are on; a namespace `shade16` in another one would hide the engine's.
+// `linux` and `unix` are macros where GNU extensions are on; a namespace `shade16` in another one would hide the
+// engine's.
 // clang-format off
 constexpr std::string_view keywords[] = {
     "alignas", "alignof", "and", "and_eq", "asm", "auto", "bitand", "bitor", "bool", "break", "case", "catch",
