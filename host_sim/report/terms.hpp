@@ -13,6 +13,7 @@ struct Term {
 
 inline constexpr Term terms[] = {
     {"perspective", &Needs::perspective, "a divide a vertex"},
+    {"orthographic", &Needs::orthographic, "lengths that do not shrink with distance"},
     {"depth", &Needs::depth, "a depth buffer: several objects, or one that is not convex"},
     {"lit", &Needs::lit, "light on at least one object"},
     {"unlit", &Needs::unlit, "objects that show their own colour"},

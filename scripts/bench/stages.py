@@ -20,8 +20,8 @@ _TABLE = {
     "pipeline/workspace.hpp": ("transform", {}),
     "pipeline/renderer.hpp": ("transform", {}),
     "pipeline/pipeline.hpp": ("transform", {
-        "light": ("light_vertex", "light_face", "lights_of", "color_of", "color_corners"),
-        "setup": ("draw_facing", "visible_part", "centre"),
+        "light": ("light_vertex", "light_face", "lights_of", "color_of", "color_corners", "light_corners"),
+        "setup": ("draw_facing", "centre"),
     }),
     "pipeline/light.hpp": ("light", {}),
     "pipeline/light_setup.hpp": ("light", {}),
@@ -32,9 +32,9 @@ _TABLE = {
     "pipeline/depth.hpp": ("setup", {"raster": ("next_row", "at", "nearer")}),
     "pipeline/paint_packed.hpp": ("raster", {"setup": ("PackedPlanes", "skip_rows")}),
     "pipeline/paint_exact.hpp": ("raster", {"setup": ("ExactPainter::ExactPainter", "skip_rows", "is_steep")}),
-    "pipeline/small_triangle.hpp": ("raster", {
-        "setup": ("is_small", "SmallEdge::SmallEdge", "quotient_below", "SmallGradient", "SmallPlanes", "draw_small"),
-    }),
+    "pipeline/small_edge.hpp": ("setup", {"raster": ("column", "next_row")}),
+    "pipeline/small_planes.hpp": ("setup", {}),
+    "pipeline/small_triangle.hpp": ("raster", {"setup": ("draw_small", "set_corners")}),
     "pipeline/raster.hpp": ("raster", {"setup": ("raster", "draw_triangle")}),
     "target/band.hpp": (None, {"clear": ("clear", "fill", "fill_halfwords", "nearest_pixel")}),
 }

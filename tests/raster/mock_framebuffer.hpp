@@ -83,9 +83,8 @@ public:
     void draw(const ScreenVertex<Tier>& a, const ScreenVertex<Tier>& b, const ScreenVertex<Tier>& c) {
         const int64_t area = doubled_area(a, b, c);
         if (area > 0) return draw<Step>(a, c, b);
-        const PixelBox box = pixel_box(a, b, c, centre()).within(width, first_row_, first_row_ + rows_);
-        if (area == 0 || box.is_empty()) return;
-        raster<Step, Depth>(set_up(a, b, c, centre(), static_cast<uint64_t>(-area)), box, band());
+        const FacingTriangle<Tier> triangle(a, b, c, centre(), first_row_, rows_);
+        if (area < 0 && triangle.shows(width)) draw_triangle<Step, Depth>(triangle, band());
     }
 
     const CountedPixel& at(int32_t x, int32_t y) const { return pixels_[index(x, y)]; }

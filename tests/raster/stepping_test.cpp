@@ -179,13 +179,13 @@ TEST(Bands, GiveTheBitsOfTheFullFrame) {
             v[k].r = static_cast<uint16_t>(random.between(0, 32768)), v[k].g = static_cast<uint16_t>(random.between(0, 32768));
             v[k].b = static_cast<uint16_t>(random.between(0, 32768)), v[k].z = static_cast<uint16_t>(random.between(first_depth, last_depth));
         }
-        int64_t area = doubled_area(v[0], v[1], v[2]);
+        const int64_t area = doubled_area(v[0], v[1], v[2]);
         if (area == 0) continue;
-        if (area > 0) std::swap(v[1], v[2]), area = -area;
+        if (area > 0) std::swap(v[1], v[2]);
         const RasterPoint centre{width * 8, height * 8};
         const auto draw = [&](const Band<Rgb565>& band) {
-            const PixelBox box = pixel_box(v[0], v[1], v[2], centre).within(width, band.first_row, band.first_row + band.rows);
-            if (!box.is_empty()) raster<Stepping::packed, true>(set_up(v[0], v[1], v[2], centre, static_cast<uint64_t>(-area)), box, band);
+            const FacingTriangle<mediump> triangle(v[0], v[1], v[2], centre, band.first_row, band.rows);
+            if (triangle.shows(width)) draw_triangle<Stepping::packed, true>(triangle, band);
         };
         draw({full.data(), full_depth.data(), width, 0, height});
         for (int32_t first = 0; first < height;) {
@@ -211,19 +211,20 @@ TEST(Formats, TheSwappedFrameIsTheSameWithItsBytesExchanged) {
             v[k].r = static_cast<uint16_t>(random.between(0, 32768)), v[k].g = static_cast<uint16_t>(random.between(0, 32768));
             v[k].b = static_cast<uint16_t>(random.between(0, 32768));
         }
-        int64_t area = doubled_area(v[0], v[1], v[2]);
+        const int64_t area = doubled_area(v[0], v[1], v[2]);
         if (area == 0) continue;
-        if (area > 0) std::swap(v[1], v[2]), area = -area;
+        if (area > 0) std::swap(v[1], v[2]);
         const RasterPoint centre{width * 8, height * 8};
-        const PixelBox box = pixel_box(v[0], v[1], v[2], centre).within(width, 0, height);
-        if (box.is_empty()) continue;
-        const auto t = set_up(v[0], v[1], v[2], centre, static_cast<uint64_t>(-area));
+        const FacingTriangle<mediump> triangle(v[0], v[1], v[2], centre, 0, height);
+        if (!triangle.shows(width)) continue;
+        const Band<Rgb565> band{plain.data(), nullptr, width, 0, height};
+        const Band<Rgb565Swapped> swapped_band{swapped.data(), nullptr, width, 0, height};
         if (i & 1) {
-            raster<Stepping::packed, false>(t, box, Band<Rgb565>{plain.data(), nullptr, width, 0, height});
-            raster<Stepping::packed, false>(t, box, Band<Rgb565Swapped>{swapped.data(), nullptr, width, 0, height});
+            draw_triangle<Stepping::packed, false>(triangle, band);
+            draw_triangle<Stepping::packed, false>(triangle, swapped_band);
         } else {
-            raster<Stepping::exact, false>(t, box, Band<Rgb565>{plain.data(), nullptr, width, 0, height});
-            raster<Stepping::exact, false>(t, box, Band<Rgb565Swapped>{swapped.data(), nullptr, width, 0, height});
+            draw_triangle<Stepping::exact, false>(triangle, band);
+            draw_triangle<Stepping::exact, false>(triangle, swapped_band);
         }
     }
     for (size_t i = 0; i < plain.size(); ++i) ASSERT_EQ(swapped[i], Rgb565Swapped::swapped(plain[i]));

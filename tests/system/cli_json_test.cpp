@@ -87,7 +87,7 @@ TEST(CliInfo, says_the_same_to_people) {
     const Ran ran = shade16_program("info " + teapot() + " --size 128x64");
     EXPECT_EQ(ran.exit_code, 0);
     EXPECT_THAT(ran.err, IsEmpty());
-    for (const char* part : {"529 vertices, 992 triangles, 1 material", "extents: -16.07", "Does not pay for\n  unlit",
+    for (const char* part : {"529 vertices, 992 triangles, 1 material", "extents: -16.07", "Does not pay for\n  orthographic",
                              "mesh 12300 bytes", "mediump", "8 rows      4096 bytes", "128x64 pixels"})
         EXPECT_THAT(ran.out, HasSubstr(part));
     EXPECT_EQ(shade16_program("info /no/such.obj").exit_code, 2);

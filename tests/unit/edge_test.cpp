@@ -60,20 +60,5 @@ TEST(Edge, HoldsAtTheEndsOfItsRange) {
                     for (const int32_t start : {0, 1, 4000}) check_walk(x, y, dx, dy, start, 100);
 }
 
-// Every slope of its range, each from a few corners: one addition a row must not miss a pixel.
-TEST(Edge, OfASmallTriangleIsExactWithOneAdditionARow) {
-    std::mt19937 random{24};
-    for (int32_t dy = 1; dy <= small_edge_extent; ++dy)
-        for (int32_t dx = -small_edge_extent; dx <= small_edge_extent; ++dx)
-            for (int corner = 0; corner < 6; ++corner) {
-                const int32_t x = static_cast<int32_t>(random() % 65536) - 32768, y = static_cast<int32_t>(random() % 65536) - 32768;
-                const int32_t top = first_centre(y), end = first_centre(y + dy), reference = (x >> 4) + static_cast<int32_t>(random() % 29) - 14;
-                const int32_t start = top + static_cast<int32_t>(random() % 4);
-                SmallEdgeWalker edge(x, y, dx, dy, start, reference);
-                for (int32_t row = start; row < end; ++row, edge.next_row())
-                    ASSERT_EQ(edge.column() + reference, exact_pixel(x, y, dx, dy, row)) << x << ' ' << y << ' ' << dx << ' ' << dy << " row " << row;
-            }
-}
-
 }  // namespace
 }  // namespace shade16

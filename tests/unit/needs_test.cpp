@@ -13,7 +13,7 @@ namespace {
 constexpr Camera orthographic{.projection = Projection::orthographic};
 constexpr Material matt{.diffuse = rgb(0x808080)};
 constexpr Material shiny{.diffuse = rgb(0x808080), .specular = white};
-constexpr Needs plain{.lit = true, .gouraud = true};
+constexpr Needs plain{.orthographic = true, .lit = true, .gouraud = true};
 
 constexpr Needs needs_with(const Material& material, View<Light> lights, const Camera& camera = orthographic, const Pose& pose = {},
                            const Mesh& mesh = cube.mesh()) {
@@ -34,12 +34,14 @@ constexpr Needs plus(bool Needs::*term) {
 TEST(Needs, AnUnlitRoomNeedsNothingMore) { static_assert(needs_with(matt, View<Light>{}) == plain); }
 
 TEST(Needs, AnEmptySceneNeedsNothing) {
-    static_assert(needs_of(Scene{.camera = orthographic}) == Needs{});
+    static_assert(needs_of(Scene{.camera = orthographic}) == Needs{.orthographic = true});
     static_assert(needs_of(Scene{}) == Needs{.perspective = true});
 }
 
 TEST(Needs, EachTermAloneSwitchesOnItsNeed) {
-    static_assert(needs_with(matt, View<Light>{}, Camera{}) == plus(&Needs::perspective));
+    Needs perspective = plain;
+    perspective.perspective = true, perspective.orthographic = false;
+    EXPECT_EQ(needs_with(matt, View<Light>{}, Camera{}), perspective);
     static_assert(needs_with(matt, ambient_light(white)) == plus(&Needs::ambient));
     static_assert(needs_with({.emissive = rgb(1)}, View<Light>{}) == plus(&Needs::ambient));
     static_assert(needs_with(matt, View<Light>{}, orthographic, {.scale = {1, 1, 2}}) == plus(&Needs::stretch));
@@ -49,8 +51,8 @@ TEST(Needs, EachTermAloneSwitchesOnItsNeed) {
     Needs flat = plain;
     flat.flat = true, flat.gouraud = false;
     EXPECT_EQ(needs_with({.shading = Shading::flat}, View<Light>{}), flat);
-    EXPECT_EQ(needs_with({.unlit = true}, View<Light>{}), (Needs{.unlit = true, .gouraud = true}));
-    EXPECT_EQ(needs_with({.shading = Shading::flat, .unlit = true}, View<Light>{}), (Needs{.unlit = true, .gouraud = true}));
+    EXPECT_EQ(needs_with({.unlit = true}, View<Light>{}), (Needs{.orthographic = true, .unlit = true, .gouraud = true}));
+    EXPECT_EQ(needs_with({.shading = Shading::flat, .unlit = true}, View<Light>{}), (Needs{.orthographic = true, .unlit = true, .gouraud = true}));
 }
 
 TEST(Needs, VertexColoursAreANeed) {
@@ -105,12 +107,13 @@ TEST(Needs, TwoConvexObjectsNeedDepth) {
 }
 
 TEST(Needs, OfAnUnlitObjectLightsDoNotCount) {
-    EXPECT_EQ(needs_with({.specular = white, .emissive = white, .unlit = true}, point_light({0, 0, 1})), (Needs{.unlit = true, .gouraud = true}));
+    EXPECT_EQ(needs_with({.specular = white, .emissive = white, .unlit = true}, point_light({0, 0, 1})), (Needs{.orthographic = true, .unlit = true, .gouraud = true}));
 }
 
-constexpr bool Needs::*terms[] = {&Needs::perspective, &Needs::depth,       &Needs::lit,   &Needs::unlit,        &Needs::flat,
-                                  &Needs::gouraud,     &Needs::vertex_colors, &Needs::ambient, &Needs::diffuse,  &Needs::specular,
-                                  &Needs::directional, &Needs::point,       &Needs::attenuation, &Needs::local_viewer, &Needs::stretch};
+constexpr bool Needs::*terms[] = {&Needs::perspective, &Needs::orthographic, &Needs::depth,       &Needs::lit,   &Needs::unlit,
+                                  &Needs::flat,        &Needs::gouraud,      &Needs::vertex_colors, &Needs::ambient, &Needs::diffuse,
+                                  &Needs::specular,    &Needs::directional,  &Needs::point,       &Needs::attenuation, &Needs::local_viewer,
+                                  &Needs::stretch};
 
 TEST(Needs, TheUnionHasTheTermsOfBoth) {
     static_assert(sizeof(Needs) == std::size(terms), "a new need belongs into this list");

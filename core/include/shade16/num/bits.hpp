@@ -33,6 +33,13 @@ constexpr uint64_t magnitude(int64_t x) {
     return x < 0 ? uint64_t{0} - static_cast<uint64_t>(x) : static_cast<uint64_t>(x);
 }
 
+/// x, of which the optimiser shall assume nothing: where what it knows makes it choose worse.
+template <class T>
+SHADE16_INLINE constexpr T opaque(T x) {
+    if (!__builtin_is_constant_evaluated()) asm("" : "+r"(x));
+    return x;
+}
+
 /// x * 2^n modulo 2^32, n in [0, 31]: the shift that is undefined for negative x before C++20 tools learn it.
 SHADE16_INLINE constexpr int32_t shift_left(int32_t x, int n) {
     return static_cast<int32_t>(static_cast<uint32_t>(x) << n);

@@ -19,7 +19,10 @@ SHADE16_INLINE constexpr uint64_t multiply(uint32_t a, uint32_t b) { return uint
 SHADE16_INLINE constexpr int64_t multiply(int32_t a, int32_t b) { return int64_t{a} * b; }
 SHADE16_INLINE constexpr int64_t multiply(int32_t a, uint32_t b) { return int64_t{a} * int64_t{b}; }
 SHADE16_INLINE constexpr uint32_t mulhi(uint32_t a, uint32_t b) { return static_cast<uint32_t>(multiply(a, b) >> 32); }
-SHADE16_INLINE constexpr int32_t mulhi(int32_t a, int32_t b) { return static_cast<int32_t>(multiply(a, b) >> 32); }
+SHADE16_INLINE constexpr int32_t mulhi(int32_t a, int32_t b) {
+    // GCC takes a factor that it knows to be positive for an unsigned one, and has no instruction for that mixture.
+    return static_cast<int32_t>(multiply(a, opaque(b)) >> 32);
+}
 SHADE16_INLINE constexpr int32_t mulhi(int32_t a, uint32_t b) { return static_cast<int32_t>(multiply(a, b) >> 32); }
 }  // namespace wide
 

@@ -30,7 +30,7 @@ inline constexpr ReciprocalTable reciprocal_table{};
 
 inline constexpr int reciprocal_max_error_log2 = -28;
 
-/// 2^63 / x, for a normalised x in [2^31, 2^32); at most 2^32 - 1.
+/// 2^63 / x, for a normalised x in [2^31, 2^32).
 /// Error   relative 2^reciprocal_max_error_log2.
 /// Cost    one table read and three multiplies: M3 32 cycles, M0+ 89 (prototype figures).
 /// Source  Newton: r' = r (2 - x r).
@@ -40,8 +40,7 @@ SHADE16_INLINE constexpr uint32_t reciprocal_of_normalized(uint32_t x) {
     const uint32_t r = ((a << 16) - (a - b) * fraction);  // 2^63 / x as far as the table knows, within 2^-14
     const int32_t residual = static_cast<int32_t>((uint32_t{1} << 31) - mulhi(r, x));
     const int32_t step = mulhi(residual, r);
-    const uint32_t next = r + 2 * static_cast<uint32_t>(step);
-    return next < (uint32_t{1} << 30) ? UINT32_MAX : next;  // x = 2^31 may step past the last word
+    return r + 2 * static_cast<uint32_t>(step);  // at most 2^32 - 4, for no x past the last word
 }
 
 /// 1/x.

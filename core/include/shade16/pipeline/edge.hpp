@@ -62,27 +62,4 @@ private:
     uint32_t height_ = 16;  // 16 * dy
 };
 
-/// The same for an edge of a small triangle, by one addition a row.
-/// Range   |dx|, dy <= small_edge_extent; at most 29 rows; columns within 2048 of the reference.
-/// Error   none: an edge's crossing is a multiple of 1 / (16 dy), so at least 1/7168 pixel from any other whole number.
-///         Steps are rounded down to 2^-20 and fall short by 2.9e-5 at most in 30 of them; 4.6e-5 off the ceiling's bias
-///         leaves whole crossings whole and all others above.
-/// Cost    one quotient an edge, one addition a row.
-class SmallEdgeWalker {
-public:
-    SHADE16_INLINE constexpr SmallEdgeWalker(int32_t x, int32_t y, int32_t dx, int32_t dy, int32_t row, int32_t reference) {
-        slope_ = floor_quotient(shift_left(dx, 20), static_cast<uint32_t>(dy));
-        const int32_t top_row = first_centre(y), below = (top_row << 4) + 8 - y;
-        x_ = shift_left(x - 8 - (reference << 4), 16) + ((slope_ >> 4) * below + ((slope_ & 15) * below >> 4)) + (int32_t{1} << 20) - 48 +
-             slope_ * (row - top_row);
-    }
-    SHADE16_INLINE constexpr int32_t column() const { return x_ >> 20; }
-    SHADE16_INLINE constexpr void next_row() { x_ += slope_; }
-
-private:
-    int32_t x_ = 0, slope_ = 0;  // 12.20, in columns from the reference
-};
-
-inline constexpr int32_t small_edge_extent = 448;
-
 }  // namespace shade16

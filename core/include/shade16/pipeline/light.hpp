@@ -95,10 +95,11 @@ SHADE16_INLINE constexpr void modulate(Accumulator& sum, const Rgb& c) {
 ///         normalisation, attenuation a square root and a reciprocal.
 /// Source  Blinn, Models of Light Reflection for Computer Synthesized Pictures, 1977.
 template <Needs N, PrecisionTier Tier>
-constexpr Accumulator light_point(const ObjectLighting<Tier>& object, View<ObjectLight<Tier>> lights,
+SHADE16_INLINE constexpr Accumulator light_point(const ObjectLighting<Tier>& object, View<ObjectLight<Tier>> lights,
                                   const Shininess<Tier>* shininess, const SurfacePoint& position, UnitVector<Tier> normal, const Rgb* color) {
     constexpr bool wide = Arithmetic<Tier>::wide;
-    Accumulator sum = object.base, shine{};
+    Accumulator sum = object.base, apart{};
+    Accumulator& shine = N.vertex_colors ? apart : sum;  // vertex colours are a factor of the rest alone
     const bool stretched = N.stretch && object.stretch.differs;
 
     UnitVector<Tier> view = object.view;
@@ -139,7 +140,7 @@ constexpr Accumulator light_point(const ObjectLighting<Tier>& object, View<Objec
     }
     if constexpr (N.vertex_colors)
         if (color != nullptr) detail::modulate(sum, *color);
-    if constexpr (N.specular) {
+    if constexpr (N.vertex_colors && N.specular) {
         accumulate(sum.r, shine.r);
         accumulate(sum.g, shine.g);
         accumulate(sum.b, shine.b);

@@ -6,7 +6,7 @@
 
 namespace shade16 {
 
-/// Farthest from exact interpolation before rounding, in codes of the target: 14 + 14 pixels of 1/64, and a floor of 1/32.
+/// Farthest from exact interpolation before rounding, in codes of the target: 28 pixels of 1/64, and a floor of 1/32.
 inline constexpr uint32_t packed_stepping_max_error_per_1024_code = 512;
 
 /// Colours as Q16 codes.
@@ -15,10 +15,11 @@ struct CodePlane {
 };
 
 namespace detail {
-/// Q16 codes as fields of 1/32 code: [green 6.5 | red 5.5, 0 | blue 5.5]. Red and blue alike, so that grey stays grey.
-SHADE16_INLINE constexpr uint32_t pack_fields(const CodePlane& c) {
-    return (static_cast<uint32_t>(c.g >> 11) << 21) + (static_cast<uint32_t>(c.r >> 11) << 11) + static_cast<uint32_t>(c.b >> 11);
+/// Numbers of 1/32 code as fields: [green 6.5 | red 5.5, 0 | blue 5.5]. Red and blue alike, so that grey stays grey.
+SHADE16_INLINE constexpr uint32_t join_fields(int32_t r, int32_t g, int32_t b) {
+    return (static_cast<uint32_t>(g) << 21) + (static_cast<uint32_t>(r) << 11) + static_cast<uint32_t>(b);
 }
+SHADE16_INLINE constexpr uint32_t pack_fields(const CodePlane& c) { return join_fields(c.r >> 11, c.g >> 11, c.b >> 11); }
 SHADE16_INLINE constexpr uint32_t pack_steps(const CodePlane& c) { return pack_fields({c.r + 1024, c.g + 1024, c.b + 1024}); }
 
 /// What 16 rounded steps lack of the true one.
@@ -67,44 +68,6 @@ private:
         }
         value += (dx >> 4) * from_corner.x + (dy >> 4) * from_corner.y;
     }
-};
-
-/// Up to this width plus height in pixels, a triangle's rounding errors stay below half a code without correction.
-inline constexpr int32_t small_triangle_px = 28;
-
-/// For small triangles: the packed word steps along rows too.
-template <PackedFormat Format, bool Depth>
-class SmallPackedPainter {
-public:
-    SHADE16_INLINE constexpr SmallPackedPainter(const PackedPlanes& c, const DepthPlane& depth)
-        : word_(detail::pack_fields(c.value)), step_x_(detail::pack_steps(c.step_x)), step_y_(detail::pack_steps(c.step_y)), depth_(depth) {}
-
-    constexpr void skip_rows(int32_t rows) {
-        word_ += step_y_ * static_cast<uint32_t>(rows);
-        depth_.skip_rows(rows);
-    }
-    SHADE16_INLINE constexpr void next_row() {
-        word_ += step_y_;
-        if constexpr (Depth) depth_.next_row();
-    }
-    SHADE16_INLINE constexpr void span(typename Format::Pixel* pixel, uint16_t* stored, int32_t column, int32_t count) const {
-        uint32_t word = word_ + step_x_ * static_cast<uint32_t>(column);
-        uint32_t z = Depth ? depth_.at(column) : 0;
-        typename Format::Pixel* const end = pixel + count;
-        do {
-            if (nearer<Depth>(stored, z)) *pixel = Format::from_word(word);
-            word += step_x_;
-            ++pixel;
-            if constexpr (Depth) {
-                ++stored;
-                z += static_cast<uint32_t>(depth_.step_x);
-            }
-        } while (pixel != end);
-    }
-
-private:
-    uint32_t word_, step_x_, step_y_;
-    DepthPlane depth_;
 };
 
 /// For any triangle: three exact accumulators a row, the packed word within it, corrected every 16 pixels and made anew

@@ -27,7 +27,9 @@ public:
     constexpr void begin(const Frame& frame, Viewport viewport) {
         const Scene& scene = prepared_.scene;
         viewport_ = viewport;
-        const Camera& camera = frame.camera != nullptr ? *frame.camera : scene.camera;
+        Camera camera = frame.camera != nullptr ? *frame.camera : scene.camera;
+        if constexpr (!N.orthographic) camera.projection = Projection::perspective;
+        if constexpr (!N.perspective) camera.projection = Projection::orthographic;
         const View<Light> lights(frame.lights != nullptr ? frame.lights : scene.lights.first, scene.lights.count);
         const View3 view = make_view(camera, viewport);
         uint32_t first_vertex = 0, first_face = 0;
@@ -86,18 +88,21 @@ private:
                     make_object_light<Tier>(camera, view.rotation, light, object.material, pose, object.mesh);
             }
         if constexpr (Store == VertexStore::keep) {
+            state.is_inside = true;
             for (uint32_t i = 0; i < object.mesh.positions.count; ++i)
-                transform_vertex(state.transform, object.mesh.positions[i], work_.vertices[state.first_vertex + i]);
+                if (!transform_vertex(state.transform, object.mesh.positions[i], work_.vertices[state.first_vertex + i])) state.is_inside = false;
             if constexpr (N.flat)
                 if (detail::is_flat(object.material))
                     for (uint32_t i = 0; i < object.mesh.triangles.count; ++i) work_.faces[state.first_face + i].is_known = 0;
         }
     }
 
-    SHADE16_INLINE static constexpr void transform_vertex(const ViewTransform& t, Position16 p, Vertex& out) {
-        const ClipVertex v = to_clip(t, p);
-        out.flags = outcode(t, v);
-        if (out.flags == 0) project(t, v, out);
+    SHADE16_INLINE static constexpr bool transform_vertex(const ViewTransform& t, const Position16& p, Vertex& out) {
+        const ClipVertex v = to_clip<N>(t, p);
+        const bool inside = is_inside(t, v);
+        if (inside) project<N>(t, v, out), out.flags = 0;
+        else out.flags = outcode(t, p);
+        return inside;
     }
 
     // With `replay` two corners of one triangle may share a slot, so nobody keeps a reference into the cache: a vertex is
@@ -120,7 +125,7 @@ private:
     }
     static constexpr const Rgb* color_of(const Mesh& mesh, uint32_t index) { return mesh.colors.empty() ? nullptr : &mesh.colors[index]; }
 
-    constexpr void light_vertex(const Object& object, const ObjectState<Tier>& state, uint32_t index, Vertex& v) {
+    [[gnu::noinline]] constexpr void light_vertex(const Object& object, const ObjectState<Tier>& state, uint32_t index, Vertex& v) {
         if (v.flags & is_lit) return;
         const Rgb* const color = color_of(object.mesh, index);
         if (N.unlit && (!N.lit || object.material.unlit)) {
@@ -167,11 +172,13 @@ private:
                 for (Vertex& corner : flat.v) corner.r = color.r, corner.g = color.g, corner.b = color.b;
                 return {&flat.v[0], &flat.v[1], &flat.v[2]};
             }
-        const Triangle t = object.mesh.triangles[face];
+        if ((v.a->flags & v.b->flags & v.c->flags & is_lit) == 0) light_corners(object, state, object.mesh.triangles[face], v);
+        return v;
+    }
+    [[gnu::noinline]] constexpr void light_corners(const Object& object, const ObjectState<Tier>& state, const Triangle& t, Corners v) {
         if ((v.a->flags & is_lit) == 0) light_vertex(object, state, t.a, *v.a);
         if ((v.b->flags & is_lit) == 0) light_vertex(object, state, t.b, *v.b);
         if ((v.c->flags & is_lit) == 0) light_vertex(object, state, t.c, *v.c);
-        return v;
     }
 
     template <PixelFormat Format>
@@ -192,29 +199,25 @@ private:
 
     template <PixelFormat Format>
     SHADE16_INLINE constexpr void draw_face(const Band<Format>& band, const Object& object, const ObjectState<Tier>& state, uint32_t face, Corners v) {
-        if (v.a->flags & v.b->flags & v.c->flags & outside_any) return;
-        if ((v.a->flags | v.b->flags | v.c->flags) & outside_any) return draw_clipped(band, object, state, face, v);
-        const int64_t area = doubled_area(*v.a, *v.b, *v.c);
-        if (area >= 0) return;  // facing away, or edge on
-        draw_facing(band, object, state, face, v, static_cast<uint64_t>(-area));
+        if (!state.is_inside && (v.a->flags | v.b->flags | v.c->flags) & outside_any) {
+            if ((v.a->flags & v.b->flags & v.c->flags & outside_any) == 0) draw_clipped(band, object, state, face, v);
+            return;
+        }
+        if (doubled_area(*v.a, *v.b, *v.c) >= 0) return;  // facing away, or edge on
+        draw_facing(band, object, state, face, v);
     }
 
     template <PixelFormat Format>
-    [[gnu::noinline]] constexpr void draw_facing(const Band<Format>& band, const Object& object, const ObjectState<Tier>& state, uint32_t face, Corners v,
-                                                 uint64_t area) {
-        const PixelBox box = visible_box(band, *v.a, *v.b, *v.c);
-        if (box.is_empty()) return;
+    [[gnu::noinline]] constexpr void draw_facing(const Band<Format>& band, const Object& object, const ObjectState<Tier>& state, uint32_t face, Corners v) {
+        FacingTriangle<Tier> triangle(*v.a, *v.b, *v.c, centre(), band.first_row, band.rows);
+        if (!triangle.shows(viewport_.width)) return;
         FlatCorners flat;
         const Corners colored = color_corners(object, state, face, v, flat);
-        raster<Tier::stepping, N.depth>(set_up(*colored.a, *colored.b, *colored.c, centre(), area), box, band);
+        if constexpr (N.flat) triangle.a = colored.a, triangle.b = colored.b, triangle.c = colored.c;
+        draw_triangle<Tier::stepping, N.depth>(triangle, band);
     }
 
     constexpr RasterPoint centre() const { return {viewport_.width * 8, viewport_.height * 8}; }
-    template <PixelFormat Format>
-    constexpr PixelBox visible_box(const Band<Format>& band, const Vertex& a, const Vertex& b, const Vertex& c) const {
-        return pixel_box(a, b, c, centre()).within(viewport_.width, band.first_row, band.first_row + band.rows);
-    }
-
     /// A triangle through the near plane or the guard band: clipped to a fan. It is lit only if some of it shows.
     template <PixelFormat Format>
     [[gnu::noinline]] constexpr void draw_clipped(const Band<Format>& band, const Object& object, const ObjectState<Tier>& state, uint32_t face,
@@ -244,12 +247,10 @@ private:
         bool shows = false;
         for (int i = 1; i + 1 < polygon.count; ++i) {
             fan[0] = corner(0), fan[1] = corner(i), fan[2] = corner(i + 1);
-            const int64_t area = doubled_area(fan[0], fan[1], fan[2]);
-            const PixelBox box = visible_box(band, fan[0], fan[1], fan[2]);
-            if (area >= 0 || box.is_empty()) continue;
+            const FacingTriangle<Tier> triangle(fan[0], fan[1], fan[2], centre(), band.first_row, band.rows);
+            if (doubled_area(fan[0], fan[1], fan[2]) >= 0 || !triangle.shows(viewport_.width)) continue;
             shows = true;
-            if constexpr (Paint)
-                raster<Tier::stepping, N.depth>(set_up(fan[0], fan[1], fan[2], centre(), static_cast<uint64_t>(-area)), box, band);
+            if constexpr (Paint) draw_triangle<Tier::stepping, N.depth>(triangle, band);
         }
         return shows;
     }

@@ -3,21 +3,21 @@
 #pragma once
 
 #include "shade16/pipeline/paint_exact.hpp"
-#include "shade16/pipeline/paint_packed.hpp"
+#include "shade16/pipeline/small_triangle.hpp"
 
 namespace shade16 {
 
 namespace detail {
 /// Walks the rows of a triangle inside `box` and gives the painter each span, in columns from the reference pixel. Which
 /// side the middle corner is on is known outside of the loop, so that no row asks again.
-template <bool MiddleIsRight, class Edge, class Painter, PixelFormat Format, PrecisionTier Tier>
+template <bool MiddleIsRight, class Painter, PixelFormat Format, PrecisionTier Tier>
 SHADE16_INLINE constexpr void walk_side(const TriangleSetup<Tier>& t, const PixelBox& box, const Band<Format>& band, bool has_depth, Painter painter) {
     const RasterPoint top = t.p[0], middle = t.p[1];
     const int32_t reference = top.x >> 4, middle_row = first_centre(middle.y);
     int32_t row = box.top;
-    Edge whole(top.x, top.y, t.dx2, t.dy2, row, reference);
-    Edge half = row < middle_row ? Edge(top.x, top.y, t.dx1, t.dy1, row, reference)
-                                 : Edge(middle.x, middle.y, t.p[2].x - middle.x, t.p[2].y - middle.y, row, reference);
+    EdgeWalker whole(top.x, top.y, t.dx2, t.dy2, row, reference);
+    EdgeWalker half = row < middle_row ? EdgeWalker(top.x, top.y, t.dx1, t.dy1, row, reference)
+                                             : EdgeWalker(middle.x, middle.y, t.p[2].x - middle.x, t.p[2].y - middle.y, row, reference);
     const int32_t first_column = box.left - reference, end_column = box.right - reference;
 
     int32_t origin = (row - band.first_row) * band.width + reference;  // where the reference column lies in the band
@@ -32,23 +32,23 @@ SHADE16_INLINE constexpr void walk_side(const TriangleSetup<Tier>& t, const Pixe
             origin += band.width;
         }
         if (row >= box.bottom) return;
-        half = Edge(middle.x, middle.y, t.p[2].x - middle.x, t.p[2].y - middle.y, row, reference);
+        half = EdgeWalker(middle.x, middle.y, t.p[2].x - middle.x, t.p[2].y - middle.y, row, reference);
     }
 }
 
-template <class Edge = EdgeWalker, class Painter, PixelFormat Format, PrecisionTier Tier>
+template <class Painter, PixelFormat Format, PrecisionTier Tier>
 SHADE16_INLINE constexpr void walk(const TriangleSetup<Tier>& t, const PixelBox& box, const Band<Format>& band, bool has_depth, Painter painter) {
     const int32_t first_row = first_centre(t.p[0].y);
     if (box.top > first_row) painter.skip_rows(box.top - first_row);
-    if (t.middle_is_right) walk_side<true, Edge>(t, box, band, has_depth, painter);
-    else walk_side<false, Edge>(t, box, band, has_depth, painter);
+    if (t.middle_is_right) walk_side<true>(t, box, band, has_depth, painter);
+    else walk_side<false>(t, box, band, has_depth, painter);
 }
 }  // namespace detail
 
-/// Draws a triangle's pixels inside `box`, which is not empty and inside the band.
+/// Draws the pixels inside `box`, which is not empty and inside the band, of a triangle of any size.
 /// Error   coverage none; colour packed_ or exact_stepping_max_error before rounding; depth 2 of 65536.
 template <Stepping Step, bool Depth, PixelFormat Format, PrecisionTier Tier>
-constexpr void raster(const TriangleSetup<Tier>& t, const PixelBox& box, const Band<Format>& band) {
+[[gnu::noinline]] constexpr void raster(const TriangleSetup<Tier>& t, const PixelBox& box, const Band<Format>& band) {
     const RasterPoint from_corner{8 - (t.p[0].x & 15), (first_centre(t.p[0].y) << 4) + 8 - t.p[0].y};
     const DepthPlane depth(t, from_corner);
     bool is_sliver = t.is_sliver() || (Depth && depth.is_steep());
@@ -56,8 +56,6 @@ constexpr void raster(const TriangleSetup<Tier>& t, const PixelBox& box, const B
     if constexpr (Step == Stepping::packed && PackedFormat<Format>) {
         if (!is_sliver) {
             const PackedPlanes color(t, from_corner);
-            const int32_t size = (t.p[2].y - t.p[0].y) + static_cast<int32_t>(max(magnitude(t.dx1), max(magnitude(t.dx2), magnitude(t.dx2 - t.dx1))));
-            if (size <= small_triangle_px * 16) return detail::walk<SmallEdgeWalker>(t, box, band, Depth, SmallPackedPainter<Format, Depth>(color, depth));
             return detail::walk(t, box, band, Depth, PackedPainter<Format, Depth>(color, depth));
         }
     } else {
@@ -66,6 +64,14 @@ constexpr void raster(const TriangleSetup<Tier>& t, const PixelBox& box, const B
         if (!is_sliver) return detail::walk(t, box, band, Depth, painter);
     }
     detail::walk(t, box, band, Depth, SliverPainter<Format, Depth, Tier>(t, from_corner));
+}
+
+/// Draws what shows of a triangle in the band; some of it does.
+template <Stepping Step, bool Depth, PixelFormat Format, PrecisionTier Tier>
+SHADE16_INLINE constexpr void draw_triangle(const FacingTriangle<Tier>& t, const Band<Format>& band) {
+    if constexpr (Step == Stepping::packed && PackedFormat<Format>)
+        if (is_small(t.whole, band.width) && draw_small<Depth>(t, band)) return;
+    raster<Step, Depth>(set_up(t), t.box(band.width), band);
 }
 
 }  // namespace shade16

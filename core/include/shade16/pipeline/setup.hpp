@@ -12,14 +12,11 @@ struct PixelBox {
     int32_t left = 0, right = 0, top = 0, bottom = 0;
 
     constexpr bool is_empty() const { return left >= right || top >= bottom; }
-    constexpr PixelBox within(int32_t width, int32_t first_row, int32_t end_row) const {
-        return {max(left, int32_t{0}), min(right, width), max(top, first_row), min(bottom, end_row)};
-    }
 };
 
 /// A corner in raster coordinates: 1/16 pixel from the frame's top left.
 struct RasterPoint {
-    int32_t x = 0, y = 0;
+    int32_t x, y;
 };
 
 /// One reciprocal a triangle, with the sign that slopes take from the side of the middle corner.
@@ -78,8 +75,28 @@ template <PrecisionTier Tier>
 SHADE16_INLINE constexpr PixelBox pixel_box(const ScreenVertex<Tier>& a, const ScreenVertex<Tier>& b, const ScreenVertex<Tier>& c, RasterPoint centre) {
     const int32_t left = min<int32_t>(a.x, min<int32_t>(b.x, c.x)), right = max<int32_t>(a.x, max<int32_t>(b.x, c.x));
     const int32_t top = min<int32_t>(a.y, min<int32_t>(b.y, c.y)), bottom = max<int32_t>(a.y, max<int32_t>(b.y, c.y));
-    return {first_centre(left + centre.x), first_centre(right + centre.x), first_centre(top + centre.y), first_centre(bottom + centre.y)};
+    const int32_t x = centre.x + 7, y = centre.y + 7;  // first_centre, its addition done once
+    return {(left + x) >> 4, (right + x) >> 4, (top + y) >> 4, (bottom + y) >> 4};
 }
+
+/// A triangle that faces the camera, placed in a band.
+template <PrecisionTier Tier>
+struct FacingTriangle {
+    const ScreenVertex<Tier>*a, *b, *c;  // counter-clockwise in the world, so clockwise where y points down
+    RasterPoint centre;                  // of the frame
+    PixelBox whole;
+    int32_t first_row, end_row;  // the part in the band
+
+    SHADE16_INLINE constexpr FacingTriangle(const ScreenVertex<Tier>& a_, const ScreenVertex<Tier>& b_, const ScreenVertex<Tier>& c_, RasterPoint frame_centre,
+                                            int32_t first_band_row, int32_t band_rows)
+        : a(&a_), b(&b_), c(&c_), centre(frame_centre), whole(pixel_box(a_, b_, c_, frame_centre)), first_row(max(whole.top, first_band_row)),
+          end_row(min(whole.bottom, first_band_row + band_rows)) {}
+
+    SHADE16_INLINE constexpr bool shows(int32_t frame_width) const {
+        return first_row < end_row && whole.left < whole.right && whole.right > 0 && whole.left < frame_width;
+    }
+    constexpr PixelBox box(int32_t frame_width) const { return {max(whole.left, int32_t{0}), min(whole.right, frame_width), first_row, end_row}; }
+};
 
 /// Error: 2^-28 relative.
 SHADE16_INLINE constexpr InverseArea inverse_of(uint64_t area) {
@@ -91,12 +108,11 @@ SHADE16_INLINE constexpr InverseArea inverse_of(uint64_t area) {
     return {static_cast<int32_t>(reciprocal_of_normalized(normalized.mantissa) >> 1), 32 - normalized.exponent};
 }
 
-/// Sorts the corners by y and divides once. `area` is the positive doubled area.
+/// Sorts the corners by y and divides once.
 template <PrecisionTier Tier>
-constexpr TriangleSetup<Tier> set_up(const ScreenVertex<Tier>& a, const ScreenVertex<Tier>& b, const ScreenVertex<Tier>& c,
-                                     RasterPoint centre, uint64_t area) {
+constexpr TriangleSetup<Tier> set_up(const FacingTriangle<Tier>& facing) {
     TriangleSetup<Tier> t;
-    const ScreenVertex<Tier>*top = &a, *middle = &b, *bottom = &c;
+    const ScreenVertex<Tier>*top = facing.a, *middle = facing.b, *bottom = facing.c;
     bool runs_clockwise = false;  // the corners as given run counter-clockwise; every exchange turns that round
     const auto order = [&](auto& upper, auto& lower) {
         if (lower->y >= upper->y) return;
@@ -108,13 +124,13 @@ constexpr TriangleSetup<Tier> set_up(const ScreenVertex<Tier>& a, const ScreenVe
     order(top, bottom);
     order(middle, bottom);
     t.corner[0] = top, t.corner[1] = middle, t.corner[2] = bottom;
-    for (int i = 0; i < 3; ++i) t.p[i] = {t.corner[i]->x + centre.x, t.corner[i]->y + centre.y};
+    for (int i = 0; i < 3; ++i) t.p[i] = {t.corner[i]->x + facing.centre.x, t.corner[i]->y + facing.centre.y};
     t.dx1 = t.p[1].x - t.p[0].x, t.dy1 = t.p[1].y - t.p[0].y;
     t.dx2 = t.p[2].x - t.p[0].x, t.dy2 = t.p[2].y - t.p[0].y;
     t.middle_is_right = runs_clockwise;
     t.reach_bits = 32 - leading_zeros(magnitude(t.dx1) | magnitude(t.dy1) | magnitude(t.dx2) | magnitude(t.dy2));
-    t.area = area;
-    t.inverse = inverse_of(area);
+    t.area = static_cast<uint64_t>(-doubled_area(*facing.a, *facing.b, *facing.c));
+    t.inverse = inverse_of(t.area);
     if (!t.middle_is_right) t.inverse.mantissa = -t.inverse.mantissa;
     return t;
 }

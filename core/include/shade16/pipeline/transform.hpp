@@ -3,7 +3,7 @@
 
 #include "shade16/num/block.hpp"
 #include "shade16/pipeline/vertex.hpp"
-#include "shade16/scene/scene.hpp"
+#include "shade16/scene/needs.hpp"
 
 namespace shade16 {
 
@@ -25,14 +25,15 @@ struct ClipVertex {
 /// Everything that takes one object's lattice to the screen, made once a frame. The three rows give x, y and depth; all
 /// share one unit, chosen so that nothing overflows for any position on the lattice.
 struct ViewTransform {
-    int32_t row[3][3]{};   // below 2^26
+    int32_t row[3][3]{};   // below 2^28, in 2^-16 of the unit
     int32_t offset[3]{};   // below 2^29
     int32_t near_depth = 0;
     int32_t orthographic_w = 0;  // 0 in perspective, where w is the depth
     uint32_t depth_scale = 0;    // mantissa and shift of what takes a depth fraction to [0, last_depth]
     int8_t depth_shift = 0;
 
-    constexpr bool is_perspective() const { return orthographic_w == 0; }
+    template <Needs N = all_needs>
+    constexpr bool is_perspective() const { return N.perspective && (!N.orthographic || orthographic_w == 0); }
 };
 
 /// The camera with what follows from it, made once a frame.
@@ -101,7 +102,7 @@ constexpr ViewTransform make_view_transform(const View3& view, const Pose& pose,
     ViewTransform t;
     for (int i = 0; i < 3; ++i) {
         t.offset[i] = offsets[i].in_units_of(unit);
-        for (int j = 0; j < 3; ++j) t.row[i][j] = rows[i][j].in_units_of(unit - 14);
+        for (int j = 0; j < 3; ++j) t.row[i][j] = rows[i][j].in_units_of(unit - 16);
     }
     t.near_depth = max(view.near_distance.in_units_of(unit), int32_t{1});
     t.orthographic_w = w_orthographic.mantissa == 0 ? 0 : max(w_orthographic.in_units_of(unit), int32_t{1});
@@ -119,28 +120,35 @@ constexpr ViewTransform make_view_transform(const View3& view, const Pose& pose,
 }
 
 namespace detail {
-/// floor((r . p) / 2^14). Wide and narrow multipliers need different bodies; the split at 14 bits is exact.
-SHADE16_INLINE constexpr int32_t row_dot(const int32_t (&r)[3], Position16 p) {
+/// offset + floor((r . p) / 2^16). Wide and narrow multipliers need different bodies; the split at 14 bits is exact.
+SHADE16_INLINE constexpr int32_t row_dot(const int32_t (&r)[3], Position16 p, int32_t offset) {
 #if SHADE16_NARROW_MULTIPLY
     const int32_t high = (r[0] >> 14) * p.x + (r[1] >> 14) * p.y + (r[2] >> 14) * p.z;
     const int32_t low = (r[0] & 0x3FFF) * p.x + (r[1] & 0x3FFF) * p.y + (r[2] & 0x3FFF) * p.z;
-    return high + (low >> 14);
+    return offset + ((high + (low >> 14)) >> 2);
 #else
-    return static_cast<int32_t>((multiply(r[0], int32_t{p.x}) + multiply(r[1], int32_t{p.y}) + multiply(r[2], int32_t{p.z})) >> 14);
+    const int64_t sum = static_cast<int64_t>(static_cast<uint64_t>(static_cast<uint32_t>(offset)) << 32);
+    return static_cast<int32_t>((sum + multiply(r[0], int32_t{p.x} * 65536) + multiply(r[1], int32_t{p.y} * 65536) + multiply(r[2], int32_t{p.z} * 65536)) >> 32);
 #endif
 }
 }  // namespace detail
 
+template <Needs N = all_needs>
 SHADE16_INLINE constexpr ClipVertex to_clip(const ViewTransform& t, Position16 p) {
     ClipVertex v;
-    v.x = detail::row_dot(t.row[0], p) + t.offset[0];
-    v.y = detail::row_dot(t.row[1], p) + t.offset[1];
-    v.depth = detail::row_dot(t.row[2], p) + t.offset[2];
-    v.w = t.is_perspective() ? v.depth : t.orthographic_w;
+    v.x = detail::row_dot(t.row[0], p, t.offset[0]);
+    v.y = detail::row_dot(t.row[1], p, t.offset[1]);
+    v.depth = detail::row_dot(t.row[2], p, t.offset[2]);
+    v.w = t.is_perspective<N>() ? v.depth : t.orthographic_w;
     return v;
 }
 
-SHADE16_INLINE constexpr uint16_t outcode(const ViewTransform& t, const ClipVertex& v) {
+/// Inside the guard band and beyond the near plane: it can be projected. No distance overflows, so one sign tells.
+SHADE16_INLINE constexpr bool is_inside(const ViewTransform& t, const ClipVertex& v) {
+    return ((v.w + v.x) | (v.w - v.x) | (v.w + v.y) | (v.w - v.y) | (v.depth - t.near_depth)) >= 0;
+}
+
+constexpr uint16_t outcode(const ViewTransform& t, const ClipVertex& v) {
     uint32_t code = 0;
     if (v.depth < t.near_depth) code |= outside_near;
     if (v.x < -v.w) code |= outside_left;
@@ -149,22 +157,24 @@ SHADE16_INLINE constexpr uint16_t outcode(const ViewTransform& t, const ClipVert
     if (v.y > v.w) code |= outside_bottom;
     return static_cast<uint16_t>(code);
 }
+/// For the few that are outside, apart from the loop over all vertices.
+SHADE16_ONCE constexpr uint16_t outcode(const ViewTransform& t, const Position16& p) { return outcode(t, to_clip(t, p)); }
 
 /// The divide: screen position and depth of a vertex inside the guard band and beyond the near plane.
 /// Error   1 sub-pixel and 2 of 65536 in depth where w is at least 2^19 units (0.62 and 1.05 measured); nearer than
 ///         that, where a near plane is tiny against the scene, 4.5 * 32760 / w sub-pixels more.
 /// Cost    one reciprocal and four high multiplies.
-template <PrecisionTier Tier>
+template <Needs N = all_needs, PrecisionTier Tier>
 SHADE16_INLINE constexpr void project(const ViewTransform& t, const ClipVertex& v, ScreenVertex<Tier>& out) {
     const int shift = leading_zeros(static_cast<uint32_t>(v.w));
     const uint32_t r = reciprocal_of_normalized(static_cast<uint32_t>(v.w) << shift);
-    const uint32_t k = mulhi(r, static_cast<uint32_t>(guard_extent) << 16);
+    const int32_t k = static_cast<int32_t>(mulhi(r, static_cast<uint32_t>(guard_extent) << 16));
     out.x = static_cast<int16_t>(shift_right_round(mulhi(shift_left(v.x, shift - 1), k), 14));
     out.y = static_cast<int16_t>(shift_right_round(mulhi(shift_left(v.y, shift - 1), k), 14));
 
     const auto over_w = [&](int32_t n) { return mulhi(static_cast<uint32_t>(n) << (shift - 1), r); };  // Q30, for n <= w
     constexpr uint32_t one = uint32_t{1} << 30;
-    const uint32_t fraction = t.is_perspective() ? one - min(over_w(t.near_depth), one)
+    const uint32_t fraction = t.is_perspective<N>() ? one - min(over_w(t.near_depth), one)
                                                  : over_w(min(v.depth - t.near_depth, v.w));
     out.z = static_cast<uint16_t>(clamp(mulhi(fraction, t.depth_scale) >> t.depth_shift, first_depth, last_depth));
 }

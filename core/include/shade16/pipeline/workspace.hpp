@@ -18,6 +18,7 @@ struct ObjectState {
     const Shininess<Tier>* shininess = nullptr;  // nullptr: no specular light
     uint32_t first_vertex = 0, first_face = 0;
     uint32_t first_light = 0, lights = 0;
+    bool is_inside = false;  // every kept vertex is: nothing of the object needs clipping
 };
 
 /// A flat face's colour, once it is lit.

@@ -8,6 +8,7 @@ namespace shade16 {
 
 struct Needs {
     bool perspective = false;    // a divide a vertex
+    bool orthographic = false;
     bool depth = false;          // a depth buffer: more than one object, or one that is not convex
     bool lit = false;            // any lit material
     bool unlit = false;          // any unlit material
@@ -26,11 +27,12 @@ struct Needs {
     friend constexpr bool operator==(const Needs&, const Needs&) = default;
 };
 
-inline constexpr Needs all_needs{true, true, true, true, true, true, true, true, true, true, true, true, true, true, true};
+inline constexpr Needs all_needs{true, true, true, true, true, true, true, true, true, true, true, true, true, true, true, true};
 
 /// The union: one pipeline for several scenes.
 constexpr Needs operator|(Needs a, Needs b) {
-    return {a.perspective || b.perspective, a.depth || b.depth,
+    return {a.perspective || b.perspective, a.orthographic || b.orthographic,
+            a.depth || b.depth,
             a.lit || b.lit, a.unlit || b.unlit,
             a.flat || b.flat, a.gouraud || b.gouraud,
             a.vertex_colors || b.vertex_colors, a.ambient || b.ambient,
@@ -79,6 +81,7 @@ constexpr Needs needs_of(const Scene& scene) {
     Needs n;
     for (const Object& object : scene.objects) n = n | detail::needs_of(object, scene.lights);
     n.perspective = scene.camera.projection == Projection::perspective;
+    n.orthographic = !n.perspective;
     n.local_viewer = n.specular && scene.camera.sees_locally();
     n.depth = scene.objects.count > 1 || (scene.objects.count == 1 && !scene.objects[0].mesh.convex);
     return n;

@@ -35,7 +35,8 @@ struct Scene {
 };
 
 /// The values of one frame, where they differ from the scene's. They may vary a term, never add one: a scene compiled
-/// without specular has no code for it. An array, when given, has as many elements as the scene's.
+/// without specular has no code for it, and one seen in perspective stays so. An array, when given, has as many elements
+/// as the scene's.
 struct Frame {
     const Camera* camera = nullptr;
     const Light* lights = nullptr;

@@ -38,14 +38,16 @@ constexpr typename Format::Pixel nearest_pixel(Rgb color) {
 namespace detail {
 using FourHalfwords [[gnu::may_alias]] = uint64_t;
 
-/// Four halfwords a store and eight stores a turn; `first` may be at any even address.
+/// Four halfwords a store and sixteen stores a turn; `first` may be at any even address.
 inline void fill_halfwords(uint16_t* first, int32_t count, uint16_t value) {
     for (; (reinterpret_cast<uintptr_t>(first) & 7) != 0 && count > 0; --count) *first++ = value;
     const uint64_t four = value * uint64_t{0x0001000100010001};
     auto* wide = reinterpret_cast<FourHalfwords*>(first);
-    for (; count >= 32; count -= 32, wide += 8) {
+    for (; count >= 64; count -= 64, wide += 16) {
         wide[0] = four, wide[1] = four, wide[2] = four, wide[3] = four;
         wide[4] = four, wide[5] = four, wide[6] = four, wide[7] = four;
+        wide[8] = four, wide[9] = four, wide[10] = four, wide[11] = four;
+        wide[12] = four, wide[13] = four, wide[14] = four, wide[15] = four;
     }
     for (first = reinterpret_cast<uint16_t*>(wide); count > 0; --count) *first++ = value;
 }
