@@ -1,6 +1,10 @@
 # What an image must not contain. Looked for in the linked file, where only what something reaches is left.
 get_property(apps GLOBAL PROPERTY SHADE16_APPS)
-foreach(app IN LISTS apps)
+if(BOARD_SCENES)
+  get_property(scenes GLOBAL PROPERTY SHADE16_SCENES)
+  list(TRANSFORM scenes PREPEND scene_ OUTPUT_VARIABLE scene_apps)
+endif()
+foreach(app IN LISTS apps scene_apps)
   shade16_add_script_test(forbidden_symbols.${app} LABEL budget SCRIPT budget/forbidden_symbols.cmake
     NM=${CMAKE_NM} IMAGE=$<TARGET_FILE:${app}>)
 endforeach()
