@@ -39,7 +39,7 @@ void add_tier(CLI::App& app, std::string& tier, const char* help) {
 }
 
 void add_shading(CLI::App& app, std::optional<Shading>& shading) {
-    add(app, "--shading", "WORD", "flat or gouraud [the material's]",
+    add(app, "--shading", "WORD", "flat, gouraud or phong [the material's]",
         [&](const std::string& word) { shading = shading_of(word); });
 }
 

@@ -51,8 +51,8 @@ Viewport size_of(const std::string& word) {
 }
 
 Shading shading_of(const std::string& word) {
-    expect_one_of("--shading", word, {"flat", "gouraud"});
-    return word == "flat" ? Shading::flat : Shading::gouraud;
+    expect_one_of("--shading", word, {"flat", "gouraud", "phong"});
+    return word == "flat" ? Shading::flat : word == "phong" ? Shading::phong : Shading::gouraud;
 }
 
 Engine engine_of(const std::string& word) {

@@ -115,6 +115,7 @@ std::string material_text(const Material& m) {
     if (m.emissive != plain.emissive) fields.add("emissive", literal(m.emissive));
     if (m.shininess != plain.shininess) fields.add("shininess", literal(m.shininess));
     if (m.shading == Shading::flat) fields.add("shading", "shade16::Shading::flat");
+    if (m.shading == Shading::phong) fields.add("shading", "shade16::Shading::phong");
     if (m.unlit) fields.add("unlit", "true");
     return fields.braced();
 }

@@ -19,6 +19,7 @@ inline constexpr Term terms[] = {
     {"unlit", &Needs::unlit, "objects that show their own colour"},
     {"flat", &Needs::flat, "one colour a face"},
     {"gouraud", &Needs::gouraud, "colours interpolated along rows"},
+    {"phong", &Needs::phong, "light a pixel, from interpolated normals"},
     {"vertex_colors", &Needs::vertex_colors, "a factor a vertex"},
     {"ambient", &Needs::ambient, "ambient or emissive light"},
     {"diffuse", &Needs::diffuse, "a dot product a vertex and light"},

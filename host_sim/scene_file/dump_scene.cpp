@@ -92,7 +92,7 @@ void add_material(Dump& to, const MaterialDescription& d) {
     to.key("specular", list(m.specular));
     to.key("emissive", list(m.emissive));
     to.key("shininess", decimal(m.shininess));
-    to.word("shading", m.shading == Shading::flat ? "flat" : "gouraud");
+    to.word("shading", m.shading == Shading::flat ? "flat" : m.shading == Shading::phong ? "phong" : "gouraud");
     to.key("unlit", m.unlit ? "true" : "false");
 }
 

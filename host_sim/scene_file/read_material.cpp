@@ -32,8 +32,8 @@ public:
         table.read("specular", material.specular);
         table.read("emissive", material.emissive);
         table.read("shininess", material.shininess, exponents);
-        if (const auto i = table.word("shading", {"flat", "gouraud"}))
-            material.shading = *i == 0 ? Shading::flat : Shading::gouraud;
+        if (const auto i = table.word("shading", {"flat", "gouraud", "phong"}))
+            material.shading = static_cast<Shading>(*i);
         table.read("unlit", material.unlit);
         return material;
     }

@@ -5,8 +5,8 @@
 
 namespace shade16 {
 
-/// A point on the surface: the mean of `count` lattice positions, 1 for a vertex and 3 for a face's centre. Kept as a
-/// sum, so that the centre is exact: a direction does not care about its length.
+/// A point on the surface: the mean of `count` lattice positions, 1 for a vertex and 3 for a face's centre; 4 for a pixel,
+/// in quarters of the lattice. Kept as a sum, so that the centre is exact: a direction does not care about its length.
 struct SurfacePoint {
     IVec3 sum{};
     int32_t count = 1;
@@ -79,8 +79,8 @@ SHADE16_INLINE constexpr uint32_t attenuated(uint32_t factor, Scaled attenuation
 SHADE16_ONCE constexpr Scaled attenuation_along(const LatticeAttenuation& a, IVec3 v, int32_t count) {
     const uint64_t squared = static_cast<uint64_t>(multiply(v.x, v.x)) + static_cast<uint64_t>(multiply(v.y, v.y)) + static_cast<uint64_t>(multiply(v.z, v.z));
     const Scaled squared_distance = Scaled::normalized(squared, 0);
-    constexpr Scaled ninth{0xE38E38E4u, -3};
-    return a.at(count == 3 ? squared_distance * ninth : squared_distance);
+    constexpr Scaled ninth{0xE38E38E4u, -3}, sixteenth{0x80000000u, -3};
+    return a.at(count == 1 ? squared_distance : squared_distance * (count == 3 ? ninth : sixteenth));
 }
 
 SHADE16_INLINE constexpr void modulate(Accumulator& sum, const Rgb& c) {

@@ -41,6 +41,7 @@ struct WorkspaceView {
 
 namespace detail {
 constexpr bool is_flat(const Material& m) { return m.shading == Shading::flat && !m.unlit; }
+constexpr bool is_phong(const Material& m) { return m.shading == Shading::phong && !m.unlit; }
 constexpr uint32_t vertex_count(const Scene& scene) {
     uint32_t n = 0;
     for (const Object& object : scene.objects) n += object.mesh.positions.count;

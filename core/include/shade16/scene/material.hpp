@@ -6,8 +6,9 @@
 
 namespace shade16 {
 
-/// flat: one colour a face, lit at its centre with its face normal. gouraud: lit at the vertices, interpolated.
-enum class Shading : uint8_t { flat, gouraud };
+/// Where light is computed. flat: one colour a face, lit at its centre with its face normal. gouraud: at the vertices, and
+/// colours are interpolated. phong: at every pixel, from interpolated and renormalised normals.
+enum class Shading : uint8_t { flat, gouraud, phong };
 
 /// The ambient colour; the diffuse one unless it is given.
 struct AmbientColor {

@@ -14,6 +14,7 @@ struct Needs {
     bool unlit = false;          // any unlit material
     bool flat = false;           // faces of one colour
     bool gouraud = false;        // interpolated colours
+    bool phong = false;          // light a pixel
     bool vertex_colors = false;  // a factor a vertex
     bool ambient = false;        // ambient or emissive light
     bool diffuse = false;
@@ -27,7 +28,7 @@ struct Needs {
     friend constexpr bool operator==(const Needs&, const Needs&) = default;
 };
 
-inline constexpr Needs all_needs{true, true, true, true, true, true, true, true, true, true, true, true, true, true, true, true};
+inline constexpr Needs all_needs{true, true, true, true, true, true, true, true, true, true, true, true, true, true, true, true, true};
 
 /// The union: one pipeline for several scenes.
 constexpr Needs operator|(Needs a, Needs b) {
@@ -35,6 +36,7 @@ constexpr Needs operator|(Needs a, Needs b) {
             a.depth || b.depth,
             a.lit || b.lit, a.unlit || b.unlit,
             a.flat || b.flat, a.gouraud || b.gouraud,
+            a.phong || b.phong,
             a.vertex_colors || b.vertex_colors, a.ambient || b.ambient,
             a.diffuse || b.diffuse, a.specular || b.specular,
             a.directional || b.directional, a.point || b.point,
@@ -52,7 +54,8 @@ constexpr Needs needs_of(const Object& object, View<Light> lights) {
     n.unlit = m.unlit;
     n.lit = !m.unlit;
     n.flat = m.shading == Shading::flat && !m.unlit;
-    n.gouraud = !n.flat;
+    n.phong = m.shading == Shading::phong && !m.unlit;
+    n.gouraud = !n.flat && !n.phong;
     n.vertex_colors = !object.mesh.colors.empty();
     n.stretch = object.pose.scale.x != object.pose.scale.y || object.pose.scale.y != object.pose.scale.z;
     if (m.unlit) return n;
