@@ -7,7 +7,7 @@ namespace shade16::reference {
 namespace {
 glm::dvec3 saturated(const LightParts& parts) { return glm::clamp(parts.sum(), 0.0, 1.0); }
 
-/// A corner in view coordinates, with its colour.
+/// A corner in view coordinates, with its colour; with Phong shading in place of it the weights of the face's own corners.
 struct Corner {
     glm::dvec3 position_view{};
     glm::dvec3 color{};
@@ -29,14 +29,14 @@ std::vector<Corner> clip_near(const View& view, const std::array<Corner, 3>& tri
     return result;
 }
 
-void draw_triangle(Picture& picture, const View& view, const std::array<Corner, 3>& triangle) {
+void draw_triangle(Picture& picture, const View& view, const std::array<Corner, 3>& triangle, const Shade& shade) {
     const std::vector<Corner> polygon = clip_near(view, triangle);
     const auto vertex = [&](const Corner& c) {
         const ScreenPoint p = project(view, c.position_view);
         return Vertex{p.position, p.depth, c.color};
     };
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-        raster(picture, {vertex(polygon[0]), vertex(polygon[i]), vertex(polygon[i + 1])});
+        raster(picture, {vertex(polygon[0]), vertex(polygon[i]), vertex(polygon[i + 1])}, shade);
 }
 }  // namespace
 
@@ -64,6 +64,25 @@ LightParts light_face(const Scene& scene, const Frame& frame, std::size_t object
     return light_point(values.camera, values.lights, scene.values.objects[static_cast<uint32_t>(object)].material, pose, point);
 }
 
+LightParts light_surface(const Scene& scene, const Frame& frame, std::size_t object, uint32_t face, const glm::dvec3& weights) {
+    const FrameValues values(scene.values, frame);
+    const Mesh& mesh = scene.meshes[object];
+    const Pose& pose = values.pose(scene.values, object);
+    const Triangle t = mesh.triangles[face];
+    const std::array<uint32_t, 3> corners{t.a, t.b, t.c};
+    SurfacePoint point;
+    point.position = point.normal = glm::dvec3(0);
+    if (!mesh.colors.empty()) point.color = glm::dvec3(0);
+    for (int k = 0; k < 3; ++k) {
+        const uint32_t corner = corners[static_cast<std::size_t>(k)];
+        point.position += weights[k] * to_world(pose, mesh.positions[corner]);
+        if (!mesh.normals.empty()) point.normal += weights[k] * normal_to_world(pose, mesh.normals[corner]);
+        if (!mesh.colors.empty()) point.color += weights[k] * mesh.colors[corner];
+    }
+    if (const double length = glm::length(point.normal); length > 0) point.normal /= length;
+    return light_point(values.camera, values.lights, scene.values.objects[static_cast<uint32_t>(object)].material, pose, point);
+}
+
 Picture draw(const Scene& scene, const Frame& frame, Viewport viewport) {
     const FrameValues values(scene.values, frame);
     const View view = reference::make_view(values.camera, viewport);
@@ -71,17 +90,20 @@ Picture draw(const Scene& scene, const Frame& frame, Viewport viewport) {
     for (std::size_t o = 0; o < scene.meshes.size(); ++o) {
         const Mesh& mesh = scene.meshes[o];
         const Material& material = scene.values.objects[static_cast<uint32_t>(o)].material;
-        const bool flat = material.shading == Shading::flat && !material.unlit;
+        const bool flat = material.shading == Shading::flat && !material.unlit, phong = material.shading == Shading::phong && !material.unlit;
         std::vector<Corner> corners;
         for (uint32_t i = 0; i < mesh.positions.size(); ++i)
             corners.push_back({to_view(view, to_world(values.pose(scene.values, o), mesh.positions[i])),
-                               flat ? glm::dvec3(0) : saturated(light_vertex(scene, frame, o, i))});
+                               flat || phong ? glm::dvec3(0) : saturated(light_vertex(scene, frame, o, i))});
         for (uint32_t f = 0; f < mesh.triangles.size(); ++f) {
             const Triangle t = mesh.triangles[f];
             std::array<Corner, 3> triangle{corners[t.a], corners[t.b], corners[t.c]};
             if (flat)
                 for (Corner& c : triangle) c.color = saturated(light_face(scene, frame, o, f));
-            draw_triangle(picture, view, triangle);
+            if (phong)
+                for (int k = 0; k < 3; ++k) triangle[static_cast<std::size_t>(k)].color = glm::dvec3(k == 0, k == 1, k == 2);
+            const Shade by_pixel = [&](const glm::dvec3& weights) { return saturated(light_surface(scene, frame, o, f, weights)); };
+            draw_triangle(picture, view, triangle, phong ? by_pixel : Shade{});
         }
     }
     return picture;

@@ -25,6 +25,9 @@ struct FrameValues {
 LightParts light_vertex(const Scene& scene, const Frame& frame, std::size_t object, uint32_t vertex);
 LightParts light_face(const Scene& scene, const Frame& frame, std::size_t object, uint32_t face);
 
+/// The light at a point inside a face, its normal interpolated and renormalised: what Phong shading sees.
+LightParts light_surface(const Scene& scene, const Frame& frame, std::size_t object, uint32_t face, const glm::dvec3& weights);
+
 /// Draws the whole scene.
 Picture draw(const Scene& scene, const Frame& frame, Viewport viewport);
 

@@ -25,7 +25,7 @@ glm::dvec3 barycentric(const std::array<glm::dvec2, 3>& c, const glm::dvec2& p) 
     return {edge(c[1], c[2], p) / area, edge(c[2], c[0], p) / area, edge(c[0], c[1], p) / area};
 }
 
-void raster(Picture& picture, const std::array<Vertex, 3>& corner) {
+void raster(Picture& picture, const std::array<Vertex, 3>& corner, const Shade& shade) {
     // Counter-clockwise triangles are walked as their clockwise mirror, so that the fill rule reads as usual.
     const Vertex &a = corner[0], &b = corner[2], &c = corner[1];
     const double area = edge(a.position, b.position, c.position);
@@ -45,7 +45,8 @@ void raster(Picture& picture, const std::array<Vertex, 3>& corner) {
             const std::size_t i = picture.index(x, y);
             if (depth >= picture.depth[i]) continue;
             picture.depth[i] = depth;
-            picture.color[i] = (wa * a.color + wb * b.color + wc * c.color) / area;
+            const glm::dvec3 interpolated = (wa * a.color + wb * b.color + wc * c.color) / area;
+            picture.color[i] = shade ? shade(interpolated) : interpolated;
             picture.covered[i] = true;
         }
 }

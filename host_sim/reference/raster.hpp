@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "host_sim/reference/transform.hpp"
@@ -28,7 +29,11 @@ struct Picture {
 /// The barycentric coordinates of a point.
 glm::dvec3 barycentric(const std::array<glm::dvec2, 3>& corner, const glm::dvec2& p);
 
-/// Draws a counter-clockwise triangle by the top-left rule; others are culled.
-void raster(Picture& picture, const std::array<Vertex, 3>& corner);
+/// What a pixel shows of what was interpolated to it.
+using Shade = std::function<glm::dvec3(const glm::dvec3&)>;
+
+/// Draws a counter-clockwise triangle by the top-left rule; others are culled. Without a Shade the interpolated values are
+/// the colours.
+void raster(Picture& picture, const std::array<Vertex, 3>& corner, const Shade& shade = {});
 
 }  // namespace shade16::reference

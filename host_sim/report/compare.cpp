@@ -51,7 +51,7 @@ glm::dvec3 stepping_bound(bool packed) {
 
 template <PrecisionTier Tier>
 void compare_pixels(Comparison& result, RuntimeRenderer<Tier>& renderer, const std::vector<std::vector<Verdict>>& verdicts,
-                    const std::vector<FaceId>& winners, const reference::Scene& scene, Viewport viewport) {
+                    const std::vector<FaceId>& winners, const reference::Scene& scene, const Frame& frame, Viewport viewport) {
     constexpr bool packed = Tier::stepping == Stepping::packed;
     const std::vector<UnroundedRgb565::Pixel> pixels = renderer.template draw<UnroundedRgb565>();
     const glm::dvec3 stepping = stepping_bound(packed);
@@ -77,6 +77,12 @@ void compare_pixels(Comparison& result, RuntimeRenderer<Tier>& renderer, const s
         }
         const auto width = static_cast<std::size_t>(viewport.width);
         const glm::dvec3 w = reference::barycentric(corner, {double(i % width) + 0.5, double(i / width) + 0.5});
+        if (detail::is_phong(object.material)) {  // no stepping of colours: the light itself, at this very point
+            const Verdict at_pixel = judge(value(pixels[i]), reference::light_surface(scene, frame, o, f, w), object.material,
+                                           promised<Tier>(ScreenVertex<Tier>::channel_bits));
+            result.pixels.add(at_pixel.error_levels, at_pixel.bound_levels);
+            continue;
+        }
         const glm::dvec3 expected = w.x * verdict[0]->reference + w.y * verdict[1]->reference + w.z * verdict[2]->reference;
         const double vertex_bound = std::max({verdict[0]->bound_levels, verdict[1]->bound_levels, verdict[2]->bound_levels});
         const glm::dvec3 error = levels(value(pixels[i]) - expected), bound = stepping + vertex_bound;
@@ -122,7 +128,7 @@ void compare_frame(Comparison& result, const reference::Scene& exact, const refe
         }
     }
     const std::vector<FaceId> winners = winning_faces(exact.values, frame, viewport);
-    compare_pixels(result, renderer, verdicts, winners, exact, viewport);
+    compare_pixels(result, renderer, verdicts, winners, exact, frame, viewport);
     compare_pictures(result, renderer, winners, reference::draw(original, frame, viewport));
 }
 

@@ -73,48 +73,65 @@ private:
     DepthPlane depth_;
 };
 
+/// Barycentric coordinates of the second and third corner as Q30, each in [0, 1]; together they may exceed 1 by rounding.
+struct BarycentricWeights {
+    int32_t b = 0, c = 0;
+    constexpr uint32_t a() const { return static_cast<uint32_t>(max((int32_t{1} << 30) - b - c, int32_t{0})); }
+};
+
 /// For slivers, whose slopes overflow any accumulator: every pixel is weighed by its barycentric coordinates.
+template <PrecisionTier Tier>
+class SliverWeights {
+public:
+    constexpr SliverWeights(const TriangleSetup<Tier>& t, RasterPoint from_corner) : t_(t), offset_(from_corner) {}
+
+    constexpr void skip_rows(int32_t rows) { offset_.y += rows * 16; }
+    constexpr BarycentricWeights at(int32_t column) const {
+        const int32_t x = offset_.x + column * 16;
+        return {weight(multiply(x, t_.dy2) - multiply(offset_.y, t_.dx2)), weight(multiply(offset_.y, t_.dx1) - multiply(x, t_.dy1))};
+    }
+    constexpr uint32_t depth(BarycentricWeights w) const { return static_cast<uint32_t>(mixed(&ScreenVertex<Tier>::z, 0, w)) << 16; }
+    template <class T>
+    constexpr uint32_t code(T ScreenVertex<Tier>::*channel, int bits, BarycentricWeights w) const {
+        const uint32_t c = static_cast<uint32_t>(mixed(channel, 24 - ScreenVertex<Tier>::channel_bits, w));
+        return c * ((uint32_t{1} << bits) - 1) + (uint32_t{1} << 23);
+    }
+
+private:
+    constexpr int32_t weight(int64_t numerator) const { return clamp<int32_t>(t_.inverse.times(numerator, 30), 0, int32_t{1} << 30); }
+    /// An attribute between its corners' values, with `extra_bits` more fraction bits than it has.
+    template <class T>
+    constexpr int32_t mixed(T ScreenVertex<Tier>::*attribute, int extra_bits, BarycentricWeights w) const {
+        const auto corner = [&](int i) { return static_cast<int32_t>(t_.corner[i]->*attribute) << extra_bits; };
+        const int32_t lowest = min(corner(0), min(corner(1), corner(2))), highest = max(corner(0), max(corner(1), corner(2)));
+        const int64_t sum = multiply(corner(1) - corner(0), w.b) + multiply(corner(2) - corner(0), w.c);
+        return clamp(corner(0) + static_cast<int32_t>(shift_right_round(sum, 30)), lowest, highest);
+    }
+
+    const TriangleSetup<Tier>& t_;
+    RasterPoint offset_;  // from the first corner to the reference pixel's centre
+};
+
 template <PixelFormat Format, bool Depth, PrecisionTier Tier>
 class SliverPainter {
 public:
-    constexpr SliverPainter(const TriangleSetup<Tier>& t, RasterPoint from_corner) : t_(t), offset_(from_corner) {}
+    constexpr SliverPainter(const TriangleSetup<Tier>& t, RasterPoint from_corner) : weights_(t, from_corner) {}
 
-    constexpr void skip_rows(int32_t rows) { offset_.y += rows * 16; }
-    constexpr void next_row() { offset_.y += 16; }
+    constexpr void skip_rows(int32_t rows) { weights_.skip_rows(rows); }
+    constexpr void next_row() { skip_rows(1); }
     constexpr void span(typename Format::Pixel* pixel, uint16_t* stored, int32_t column, int32_t count) const {
-        for (int32_t x = offset_.x + column * 16; count > 0; --count, x += 16, ++pixel) {
-            const int32_t w1 = weight(multiply(x, t_.dy2) - multiply(offset_.y, t_.dx2));
-            const int32_t w2 = weight(multiply(offset_.y, t_.dx1) - multiply(x, t_.dy1));
-            const uint32_t z = static_cast<uint32_t>(mixed(&ScreenVertex<Tier>::z, 0, w1, w2)) << 16;
-            if (nearer<Depth>(stored, z))
-                *pixel = detail::pixel_from_q24<Format>(code(&ScreenVertex<Tier>::r, Format::red_bits, w1, w2),
-                                                        code(&ScreenVertex<Tier>::g, Format::green_bits, w1, w2),
-                                                        code(&ScreenVertex<Tier>::b, Format::blue_bits, w1, w2));
+        for (; count > 0; --count, ++column, ++pixel) {
+            const BarycentricWeights w = weights_.at(column);
+            if (!Depth || nearer<true>(stored, weights_.depth(w)))
+                *pixel = detail::pixel_from_q24<Format>(weights_.code(&ScreenVertex<Tier>::r, Format::red_bits, w),
+                                                        weights_.code(&ScreenVertex<Tier>::g, Format::green_bits, w),
+                                                        weights_.code(&ScreenVertex<Tier>::b, Format::blue_bits, w));
             if constexpr (Depth) ++stored;
         }
     }
 
 private:
-    /// A barycentric coordinate as Q30, in [0, 1].
-    constexpr int32_t weight(int64_t numerator) const {
-        return clamp<int32_t>(t_.inverse.times(numerator, 30), 0, int32_t{1} << 30);
-    }
-    /// An attribute between its corners' values, with `extra_bits` more fraction bits than it has.
-    template <class T>
-    constexpr int32_t mixed(T ScreenVertex<Tier>::*attribute, int extra_bits, int32_t w1, int32_t w2) const {
-        const auto at = [&](int i) { return static_cast<int32_t>(t_.corner[i]->*attribute) << extra_bits; };
-        const int32_t lowest = min(at(0), min(at(1), at(2))), highest = max(at(0), max(at(1), at(2)));
-        const int64_t sum = multiply(at(1) - at(0), w1) + multiply(at(2) - at(0), w2);
-        return clamp(at(0) + static_cast<int32_t>(shift_right_round(sum, 30)), lowest, highest);
-    }
-    template <class T>
-    constexpr uint32_t code(T ScreenVertex<Tier>::*channel, int bits, int32_t w1, int32_t w2) const {
-        const uint32_t c = static_cast<uint32_t>(mixed(channel, 24 - ScreenVertex<Tier>::channel_bits, w1, w2));
-        return c * ((uint32_t{1} << bits) - 1) + (uint32_t{1} << 23);
-    }
-
-    const TriangleSetup<Tier>& t_;
-    RasterPoint offset_;  // from the first corner to the reference pixel's centre
+    SliverWeights<Tier> weights_;
 };
 
 }  // namespace shade16

@@ -211,10 +211,29 @@ private:
     [[gnu::noinline]] constexpr void draw_facing(const Band<Format>& band, const Object& object, const ObjectState<Tier>& state, uint32_t face, Corners v) {
         FacingTriangle<Tier> triangle(*v.a, *v.b, *v.c, centre(), band.first_row, band.rows);
         if (!triangle.shows(viewport_.width)) return;
+        if constexpr (N.phong)
+            if (is_phong(object.material)) {
+                SurfaceSample surface[3];
+                surface_of(object, state, face, surface);
+                return paint_phong(triangle, surface, object, state, band);
+            }
         FlatCorners flat;
         const Corners colored = color_corners(object, state, face, v, flat);
         if constexpr (N.flat) triangle.a = colored.a, triangle.b = colored.b, triangle.c = colored.c;
         draw_triangle<Tier::stepping, N.depth>(triangle, band);
+    }
+
+    static constexpr bool is_phong(const Material& m) { return N.phong && (!(N.flat || N.gouraud) || detail::is_phong(m)); }
+    static constexpr void surface_of(const Object& object, const ObjectState<Tier>& state, uint32_t face, SurfaceSample (&out)[3]) {
+        const Triangle t = object.mesh.triangles[face];
+        out[0] = surface_at<N>(object.mesh, state.lighting, t.a);
+        out[1] = surface_at<N>(object.mesh, state.lighting, t.b);
+        out[2] = surface_at<N>(object.mesh, state.lighting, t.c);
+    }
+    template <PixelFormat Format>
+    constexpr void paint_phong(const FacingTriangle<Tier>& triangle, const SurfaceSample (&surface)[3], const Object& object, const ObjectState<Tier>& state,
+                               const Band<Format>& band) {
+        draw_phong(triangle, surface, PixelLight<N, Tier>{state.lighting, lights_of(state), state.shininess, !object.mesh.colors.empty()}, band);
     }
 
     constexpr RasterPoint centre() const { return {viewport_.width * 8, viewport_.height * 8}; }
@@ -224,18 +243,17 @@ private:
                                                   Corners v) {
         if (!draw_fan<false>(band, object, state, face, v)) return;
         FlatCorners flat;
-        draw_fan<true>(band, object, state, face, color_corners(object, state, face, v, flat));
+        draw_fan<true>(band, object, state, face, is_phong(object.material) ? v : color_corners(object, state, face, v, flat));
     }
 
     template <bool Paint, PixelFormat Format>
     constexpr bool draw_fan(const Band<Format>& band, const Object& object, const ObjectState<Tier>& state, uint32_t face, Corners v) {
-        const Triangle t = object.mesh.triangles[face];
-        ClipPolygon<Tier> polygon;
-        const auto add = [&](uint16_t index, const Vertex& corner) {
-            polygon.add({to_clip(state.transform, object.mesh.positions[index]), corner.r, corner.g, corner.b});
-        };
-        add(t.a, *v.a), add(t.b, *v.b), add(t.c, *v.c);
+        const bool by_pixel = is_phong(object.material);
+        ClipPolygon<Tier> polygon = polygon_of(object, state, face, v, by_pixel);
         polygon = clip(state.transform, polygon);
+        SurfaceSample surface[N.phong ? 3 : 1];
+        if constexpr (N.phong && Paint)
+            if (by_pixel) surface_of(object, state, face, surface);
 
         Vertex fan[3];
         const auto corner = [&](int i) {
@@ -250,9 +268,31 @@ private:
             const FacingTriangle<Tier> triangle(fan[0], fan[1], fan[2], centre(), band.first_row, band.rows);
             if (doubled_area(fan[0], fan[1], fan[2]) >= 0 || !triangle.shows(viewport_.width)) continue;
             shows = true;
-            if constexpr (Paint) draw_triangle<Tier::stepping, N.depth>(triangle, band);
+            if constexpr (!Paint) continue;
+            if constexpr (N.phong)
+                if (by_pixel) {
+                    const auto at = [&](const Vertex& w) { return mix<N>(surface, w.r, w.g, w.b, Vertex::channel_bits); };
+                    const SurfaceSample corners[3] = {at(fan[0]), at(fan[1]), at(fan[2])};
+                    paint_phong(triangle, corners, object, state, band);
+                    continue;
+                }
+            draw_triangle<Tier::stepping, N.depth>(triangle, band);
         }
         return shows;
+    }
+
+    /// A triangle to be clipped. With Phong shading the channels are not colours but the corners' own weights.
+    constexpr ClipPolygon<Tier> polygon_of(const Object& object, const ObjectState<Tier>& state, uint32_t face, Corners v, bool by_pixel) {
+        const Triangle t = object.mesh.triangles[face];
+        ClipPolygon<Tier> polygon;
+        const auto add = [&](uint16_t index, const Vertex& corner, int number) {
+            const auto weight = [&](int of) { return static_cast<typename Vertex::Channel>(number == of ? uint32_t{1} << Vertex::channel_bits : 0); };
+            const ClipVertex position = to_clip(state.transform, object.mesh.positions[index]);
+            if (by_pixel) polygon.add({position, weight(0), weight(1), weight(2)});
+            else polygon.add({position, corner.r, corner.g, corner.b});
+        };
+        add(t.a, *v.a, 0), add(t.b, *v.b, 1), add(t.c, *v.c, 2);
+        return polygon;
     }
 
     PreparedScene<Tier> prepared_;

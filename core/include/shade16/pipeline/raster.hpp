@@ -3,6 +3,7 @@
 #pragma once
 
 #include "shade16/pipeline/paint_exact.hpp"
+#include "shade16/pipeline/paint_phong.hpp"
 #include "shade16/pipeline/small_triangle.hpp"
 
 namespace shade16 {
@@ -49,7 +50,7 @@ SHADE16_INLINE constexpr void walk(const TriangleSetup<Tier>& t, const PixelBox&
 /// Error   coverage none; colour packed_ or exact_stepping_max_error before rounding; depth 2 of 65536.
 template <Stepping Step, bool Depth, PixelFormat Format, PrecisionTier Tier>
 [[gnu::noinline]] constexpr void raster(const TriangleSetup<Tier>& t, const PixelBox& box, const Band<Format>& band) {
-    const RasterPoint from_corner{8 - (t.p[0].x & 15), (first_centre(t.p[0].y) << 4) + 8 - t.p[0].y};
+    const RasterPoint from_corner = t.to_reference();
     const DepthPlane depth(t, from_corner);
     bool is_sliver = t.is_sliver() || (Depth && depth.is_steep());
 
@@ -72,6 +73,22 @@ SHADE16_INLINE constexpr void draw_triangle(const FacingTriangle<Tier>& t, const
     if constexpr (Step == Stepping::packed && PackedFormat<Format>)
         if (is_small(t.whole, band.width) && draw_small<Depth>(t, band)) return;
     raster<Step, Depth>(set_up(t), t.box(band.width), band);
+}
+
+/// Draws what shows of a triangle in the band, each pixel lit by itself; `surface` is that at its corners a, b and c.
+template <Needs N, PixelFormat Format, PrecisionTier Tier>
+[[gnu::noinline]] constexpr void draw_phong(const FacingTriangle<Tier>& triangle, const SurfaceSample (&surface)[3], const PixelLight<N, Tier>& light,
+                                            const Band<Format>& band) {
+    const TriangleSetup<Tier> t = set_up(triangle);
+    const PixelBox box = triangle.box(band.width);
+    const RasterPoint from_corner = t.to_reference();
+    SurfaceSample sorted[3];
+    for (int i = 0; i < 3; ++i) sorted[i] = surface[t.corner[i] == triangle.a ? 0 : t.corner[i] == triangle.b ? 1 : 2];
+    const DepthPlane depth(t, from_corner);
+    const SurfacePlanes<N> planes(t, sorted, from_corner);
+    if (t.is_sliver() || planes.is_steep || (N.depth && depth.is_steep()))
+        detail::walk(t, box, band, N.depth, PhongSliverPainter<N, Format, N.depth, Tier>(t, sorted, from_corner, light));
+    else detail::walk(t, box, band, N.depth, PhongPainter<N, Format, N.depth, Tier>(planes, depth, light));
 }
 
 }  // namespace shade16

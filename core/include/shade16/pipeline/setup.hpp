@@ -48,6 +48,8 @@ struct TriangleSetup {
     InverseArea inverse{};
     uint64_t area = 0;
 
+    /// From the top corner to the reference pixel: the centre of the first row in the corner's own column.
+    constexpr RasterPoint to_reference() const { return {8 - (p[0].x & 15), (first_centre(p[0].y) << 4) + 8 - p[0].y}; }
     /// Edges below 2^13, 512 pixels: 32-bit products do.
     SHADE16_INLINE constexpr bool is_compact() const { return reach_bits <= 13; }
     /// Slopes change by more than any accumulator holds where the area is small against the edges.
