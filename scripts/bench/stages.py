@@ -35,7 +35,9 @@ _TABLE = {
     "pipeline/small_edge.hpp": ("setup", {"raster": ("column", "next_row")}),
     "pipeline/small_planes.hpp": ("setup", {}),
     "pipeline/small_triangle.hpp": ("raster", {"setup": ("draw_small", "set_corners")}),
-    "pipeline/raster.hpp": ("raster", {"setup": ("raster", "draw_triangle")}),
+    "pipeline/surface.hpp": ("setup", {"raster": ("at", "next_pixel", "move")}),
+    "pipeline/paint_phong.hpp": ("raster", {"light": ("PixelLight",), "setup": ("PhongPainter::PhongPainter", "skip_rows")}),
+    "pipeline/raster.hpp": ("raster", {"setup": ("raster", "draw_triangle", "draw_phong")}),
     "target/band.hpp": (None, {"clear": ("clear", "fill", "fill_halfwords", "nearest_pixel")}),
 }
 _DRIVERS = ("firmware/apps/", "tests/")  # the program around the frame
