@@ -116,6 +116,7 @@ std::string material_text(const Material& m) {
     if (m.shininess != plain.shininess) fields.add("shininess", literal(m.shininess));
     if (m.shading == Shading::flat) fields.add("shading", "shade16::Shading::flat");
     if (m.shading == Shading::phong) fields.add("shading", "shade16::Shading::phong");
+    if (m.normal_path == NormalPath::spherical) fields.add("normal_path", "shade16::NormalPath::spherical");
     if (m.unlit) fields.add("unlit", "true");
     return fields.braced();
 }

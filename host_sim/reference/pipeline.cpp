@@ -1,5 +1,7 @@
 #include "host_sim/reference/pipeline.hpp"
 
+#include "host_sim/reference/normals.hpp"
+
 #include <array>
 
 namespace shade16::reference {
@@ -64,23 +66,25 @@ LightParts light_face(const Scene& scene, const Frame& frame, std::size_t object
     return light_point(values.camera, values.lights, scene.values.objects[static_cast<uint32_t>(object)].material, pose, point);
 }
 
-LightParts light_surface(const Scene& scene, const Frame& frame, std::size_t object, uint32_t face, const glm::dvec3& weights) {
+LightParts light_surface(const Scene& scene, const Frame& frame, std::size_t object, uint32_t face, const FacePoint& at) {
     const FrameValues values(scene.values, frame);
     const Mesh& mesh = scene.meshes[object];
     const Pose& pose = values.pose(scene.values, object);
     const Triangle t = mesh.triangles[face];
     const std::array<uint32_t, 3> corners{t.a, t.b, t.c};
+    std::array<glm::dvec3, 3> normals{};
     SurfacePoint point;
-    point.position = point.normal = glm::dvec3(0);
+    point.position = glm::dvec3(0);
     if (!mesh.colors.empty()) point.color = glm::dvec3(0);
     for (int k = 0; k < 3; ++k) {
         const uint32_t corner = corners[static_cast<std::size_t>(k)];
-        point.position += weights[k] * to_world(pose, mesh.positions[corner]);
-        if (!mesh.normals.empty()) point.normal += weights[k] * normal_to_world(pose, mesh.normals[corner]);
-        if (!mesh.colors.empty()) point.color += weights[k] * mesh.colors[corner];
+        point.position += at.weights[k] * to_world(pose, mesh.positions[corner]);
+        if (!mesh.normals.empty()) normals[static_cast<std::size_t>(k)] = normal_to_world(pose, mesh.normals[corner]);
+        if (!mesh.colors.empty()) point.color += at.weights[k] * mesh.colors[corner];
     }
-    if (const double length = glm::length(point.normal); length > 0) point.normal /= length;
-    return light_point(values.camera, values.lights, scene.values.objects[static_cast<uint32_t>(object)].material, pose, point);
+    const Material& material = scene.values.objects[static_cast<uint32_t>(object)].material;
+    point.normal = material.normal_path == NormalPath::spherical ? spherical_normal(normals, at) : linear_normal(normals, at.weights);
+    return light_point(values.camera, values.lights, material, pose, point);
 }
 
 Picture draw(const Scene& scene, const Frame& frame, Viewport viewport) {
@@ -102,7 +106,9 @@ Picture draw(const Scene& scene, const Frame& frame, Viewport viewport) {
                 for (Corner& c : triangle) c.color = saturated(light_face(scene, frame, o, f));
             if (phong)
                 for (int k = 0; k < 3; ++k) triangle[static_cast<std::size_t>(k)].color = glm::dvec3(k == 0, k == 1, k == 2);
-            const Shade by_pixel = [&](const glm::dvec3& weights) { return saturated(light_surface(scene, frame, o, f, weights)); };
+            std::array<glm::dvec2, 3> corner_px{};
+            for (std::size_t k = 0; phong && k < 3; ++k) corner_px[k] = project(view, triangle[k].position_view).position;
+            const Shade by_pixel = [&](const glm::dvec3& weights) { return saturated(light_surface(scene, frame, o, f, {weights, corner_px})); };
             draw_triangle(picture, view, triangle, phong ? by_pixel : Shade{});
         }
     }

@@ -1,6 +1,8 @@
 // The same pipeline in double precision: transform, clip, light, raster. It is never linked by core or firmware.
 #pragma once
 
+#include <array>
+
 #include "host_sim/reference/light.hpp"
 #include "host_sim/reference/raster.hpp"
 #include "host_sim/reference/scene.hpp"
@@ -25,8 +27,14 @@ struct FrameValues {
 LightParts light_vertex(const Scene& scene, const Frame& frame, std::size_t object, uint32_t vertex);
 LightParts light_face(const Scene& scene, const Frame& frame, std::size_t object, uint32_t face);
 
-/// The light at a point inside a face, its normal interpolated and renormalised: what Phong shading sees.
-LightParts light_surface(const Scene& scene, const Frame& frame, std::size_t object, uint32_t face, const glm::dvec3& weights);
+/// A point inside a face on the screen.
+struct FacePoint {
+    glm::dvec3 weights{};                  // barycentric
+    std::array<glm::dvec2, 3> corner_px{};  // what spherical interpolation follows: edges first, then rows of pixels
+};
+
+/// The light there, its normal interpolated and renormalised: what Phong shading sees.
+LightParts light_surface(const Scene& scene, const Frame& frame, std::size_t object, uint32_t face, const FacePoint& at);
 
 /// Draws the whole scene.
 Picture draw(const Scene& scene, const Frame& frame, Viewport viewport);

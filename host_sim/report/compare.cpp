@@ -78,7 +78,7 @@ void compare_pixels(Comparison& result, RuntimeRenderer<Tier>& renderer, const s
         const auto width = static_cast<std::size_t>(viewport.width);
         const glm::dvec3 w = reference::barycentric(corner, {double(i % width) + 0.5, double(i / width) + 0.5});
         if (detail::is_phong(object.material)) {  // no stepping of colours: the light itself, at this very point
-            const Verdict at_pixel = judge(value(pixels[i]), reference::light_surface(scene, frame, o, f, w), object.material,
+            const Verdict at_pixel = judge(value(pixels[i]), reference::light_surface(scene, frame, o, f, {w, corner}), object.material,
                                            promised<Tier>(ScreenVertex<Tier>::channel_bits));
             result.pixels.add(at_pixel.error_levels, at_pixel.bound_levels);
             continue;

@@ -20,6 +20,7 @@ inline constexpr Term terms[] = {
     {"flat", &Needs::flat, "one colour a face"},
     {"gouraud", &Needs::gouraud, "colours interpolated along rows"},
     {"phong", &Needs::phong, "light a pixel, from interpolated normals"},
+    {"spherical", &Needs::spherical, "a sine and a cosine for every 16 pixels of a row"},
     {"vertex_colors", &Needs::vertex_colors, "a factor a vertex"},
     {"ambient", &Needs::ambient, "ambient or emissive light"},
     {"diffuse", &Needs::diffuse, "a dot product a vertex and light"},

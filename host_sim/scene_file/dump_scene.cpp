@@ -93,6 +93,7 @@ void add_material(Dump& to, const MaterialDescription& d) {
     to.key("emissive", list(m.emissive));
     to.key("shininess", decimal(m.shininess));
     to.word("shading", m.shading == Shading::flat ? "flat" : m.shading == Shading::phong ? "phong" : "gouraud");
+    to.word("normals", m.normal_path == NormalPath::spherical ? "spherical" : "linear");
     to.key("unlit", m.unlit ? "true" : "false");
 }
 

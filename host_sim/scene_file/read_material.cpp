@@ -17,7 +17,7 @@ public:
     Material read(const TomlEntry& entry, std::vector<std::string> likes = {}) const {
         const TableReader table =
             tables_.reader(fmt::format("material '{}'", entry.key), entry.value,
-                           {"like", "ambient", "diffuse", "specular", "emissive", "shininess", "shading", "unlit"});
+                           {"like", "ambient", "diffuse", "specular", "emissive", "shininess", "shading", "normals", "unlit"});
         if (entry.key == own_material)
             throw input_error("{}:{}: material '{}' is what a model's own materials are called; expected another name.",
                               tables_.file, entry.line, entry.key);
@@ -34,6 +34,8 @@ public:
         table.read("shininess", material.shininess, exponents);
         if (const auto i = table.word("shading", {"flat", "gouraud", "phong"}))
             material.shading = static_cast<Shading>(*i);
+        if (const auto i = table.word("normals", {"linear", "spherical"}))
+            material.normal_path = static_cast<NormalPath>(*i);
         table.read("unlit", material.unlit);
         return material;
     }

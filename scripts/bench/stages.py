@@ -37,6 +37,7 @@ _TABLE = {
     "pipeline/small_triangle.hpp": ("raster", {"setup": ("draw_small", "set_corners")}),
     "pipeline/surface.hpp": ("setup", {"raster": ("at", "next_pixel", "move")}),
     "pipeline/paint_phong.hpp": ("raster", {"light": ("PixelLight",), "setup": ("PhongPainter::PhongPainter", "skip_rows")}),
+    "pipeline/paint_spherical.hpp": ("raster", {"setup": ("EdgeArc::EdgeArc", "SphericalRows::SphericalRows", "SphericalPainter::SphericalPainter", "skip_rows")}),
     "pipeline/raster.hpp": ("raster", {"setup": ("raster", "draw_triangle", "draw_phong")}),
     "target/band.hpp": (None, {"clear": ("clear", "fill", "fill_halfwords", "nearest_pixel")}),
 }

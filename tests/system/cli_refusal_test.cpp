@@ -148,9 +148,9 @@ TEST(CliRefusal, words_nobody_knows) {
     expect_usage_refused("--tier half", "--tier half: expected lowp, mediump or highp.");
     expect_usage_refused("--format rgb555", "--format rgb555: expected rgb565, rgb565_swapped or rgb888; did you mean rgb565?");
     expect_usage_refused("--tier midiump", "--tier midiump: expected lowp, mediump or highp; did you mean mediump?");
-    expect_usage_refused("--shading gourad", "--shading gourad: expected flat or gouraud; did you mean gouraud?");
+    expect_usage_refused("--shading gourad", "--shading gourad: expected flat, gouraud or phong; did you mean gouraud?");
     expect_usage_refused("--engine fixd", "--engine fixd: expected fixed or reference; did you mean fixed?");
-    expect_usage_refused("--shading phong", "--shading phong: expected flat or gouraud.");
+    expect_usage_refused("--shading toon", "--shading toon: expected flat, gouraud or phong.");
     expect_usage_refused("--engine gl", "--engine gl: expected fixed or reference.");
     expect_usage_refused("--szie 1x1", "--szie: there is no such option; did you mean --size?");
     expect_usage_refused("--xyz", "--xyz: there is no such option; see 'shade16 render --help'.");

@@ -29,8 +29,9 @@ constexpr Object several[] = {{.mesh = torus<24, 12>.mesh(), .material = *find_m
                               {.mesh = quad.mesh(), .material = {.diffuse = rgb(0x333333), .unlit = true}, .pose = {.scale = {3, 3, 3}, .translation = {0, 0, -1}}},
                               {.mesh = cube.mesh(), .material = *find_material("emerald"), .pose = {.rotation = rotate_y(20_deg), .scale = {0.3_q16, 0.3_q16, 0.3_q16}}}};
 
-constexpr Material by_pixel(Material m) {
+constexpr Material by_pixel(Material m, NormalPath path = NormalPath::linear) {
     m.shading = Shading::phong;
+    m.normal_path = path;
     return m;
 }
 constexpr Rgb corner_colors[] = {rgb(0xFF0000), rgb(0x00FF00), rgb(0x0000FF), rgb(0xFFFF00)};
@@ -39,7 +40,9 @@ constexpr Mesh colored(Mesh mesh) {
     return mesh;
 }
 constexpr Object smooth_torus[] = {{.mesh = torus<24, 12>.mesh(), .material = by_pixel(*find_material("brass")), .pose = {.rotation = rotate_x(60_deg)}}};
+constexpr Object round_torus[] = {{.mesh = torus<12, 6>.mesh(), .material = by_pixel(*find_material("brass"), NormalPath::spherical), .pose = {.rotation = rotate_x(60_deg)}}};
 constexpr Object smooth_and_others[] = {
+    {.mesh = cube.mesh(), .material = by_pixel(*find_material("jade"), NormalPath::spherical), .pose = {.rotation = rotate_y(20_deg), .translation = {-1, 0, -1}}},
     {.mesh = sphere<8, 6>.mesh(), .material = by_pixel(*find_material("ruby")), .pose = {.scale = {1, 0.5_q16, 1}}},
     {.mesh = colored(quad.mesh()), .material = by_pixel({.diffuse = white, .specular = white}), .pose = {.rotation = rotate_x(-70_deg), .scale = {2, 2, 2}, .translation = {0, -0.5_q16, 0}}},
     {.mesh = cube.mesh(), .material = *find_material("emerald"), .pose = {.rotation = rotate_y(20_deg), .scale = {0.3_q16, 0.3_q16, 0.3_q16}, .translation = {1, 0, 0}}}};
@@ -54,6 +57,7 @@ constexpr Scene inside_scene{.camera = {.eye = {1.2_q16, 0.9_q16, 0.9_q16}, .nea
 
 constexpr Scene smooth_scene{.lights = sun, .objects = smooth_torus};  // no position is carried
 constexpr Scene lamp_scene{.camera = near_by, .lights = lamps, .objects = smooth_torus};
+constexpr Scene round_scene{.camera = near_by, .lights = lamps, .objects = round_torus};
 constexpr Scene mixed_scene{.camera = near_by, .lights = lamps, .objects = smooth_and_others, .background = rgb(0x203020)};
 constexpr Scene clipped_scene{.camera = {.eye = {1, 0.4_q16, 1}, .near_distance = 0.8_q16}, .lights = lamps, .objects = smooth_and_others};
 
@@ -89,7 +93,7 @@ struct Named {
 template <class S>
 class OnePicture : public testing::Test {};
 using Scenes = testing::Types<Named<torus_scene>, Named<flat_scene>, Named<cube_scene>, Named<egg_scene>, Named<map_scene>, Named<crowd_scene>, Named<inside_scene>,
-                              Named<smooth_scene>, Named<lamp_scene>, Named<mixed_scene>, Named<clipped_scene>>;
+                              Named<smooth_scene>, Named<lamp_scene>, Named<round_scene>, Named<mixed_scene>, Named<clipped_scene>>;
 TYPED_TEST_SUITE(OnePicture, Scenes);
 
 TYPED_TEST(OnePicture, ShowsSomething) {
@@ -191,6 +195,7 @@ TEST(Renderer, SurvivesRandomScenes) {
         mesh.centre = vec();
         Object object{.mesh = mesh, .material = classic_materials[random() % 24].material, .pose = {rotate_x({static_cast<uint32_t>(random())}), {any(), any(), any()}, vec()}};
         object.material.shading = static_cast<Shading>(random() % 3);
+        object.material.normal_path = static_cast<NormalPath>(random() % 2);
         object.material.shininess = any();
         const Scene scene{.camera = {vec(), vec(), vec(), static_cast<Projection>(random() % 2), static_cast<Viewer>(random() % 2), {static_cast<uint32_t>(random())}, any(), any(), any()},
                           .lights = {lights.data(), static_cast<uint32_t>(lights.size())}, .objects = {&object, 1}};

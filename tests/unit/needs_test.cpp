@@ -111,7 +111,7 @@ TEST(Needs, OfAnUnlitObjectLightsDoNotCount) {
 }
 
 constexpr bool Needs::*terms[] = {&Needs::perspective, &Needs::orthographic, &Needs::depth,       &Needs::lit,   &Needs::unlit,
-                                  &Needs::flat,        &Needs::gouraud,      &Needs::phong,      &Needs::vertex_colors, &Needs::ambient, &Needs::diffuse,
+                                  &Needs::flat,        &Needs::gouraud,      &Needs::phong, &Needs::spherical,      &Needs::vertex_colors, &Needs::ambient, &Needs::diffuse,
                                   &Needs::specular,    &Needs::directional,  &Needs::point,       &Needs::attenuation, &Needs::local_viewer,
                                   &Needs::stretch};
 

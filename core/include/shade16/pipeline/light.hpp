@@ -5,8 +5,9 @@
 
 namespace shade16 {
 
-/// A point on the surface: the mean of `count` lattice positions, 1 for a vertex and 3 for a face's centre; 4 for a pixel,
-/// in quarters of the lattice. Kept as a sum, so that the centre is exact: a direction does not care about its length.
+/// A point on the surface: the mean of `count` lattice positions, 1 for a vertex and 3 for a face's centre. Kept as a sum, so
+/// that the centre is exact: a direction does not care about its length. A pixel counts fractions of the lattice: 4, and in
+/// highp 8192.
 struct SurfacePoint {
     IVec3 sum{};
     int32_t count = 1;
@@ -23,6 +24,31 @@ SHADE16_INLINE constexpr IVec3 towards(const LatticePoint& point, const SurfaceP
     const int32_t n = surface.count;
     return {n * point.position.x - at(p.x, stretch.position[0]), n * point.position.y - at(p.y, stretch.position[1]),
             n * point.position.z - at(p.z, stretch.position[2])};
+}
+
+/// The same for a pixel in highp, whose sum has 13 bits more than a lattice position; v is to be taken times 2^coarser.
+struct FineVector {
+    IVec3 v{};
+    int coarser = 0;
+};
+SHADE16_ONCE constexpr FineVector towards_finely(const LatticePoint& point, const SurfacePoint& surface, bool stretched, const Stretch& stretch) {
+    const auto component = [&](int32_t to, int32_t from, Q30 factor) {
+        const int64_t scaled = multiply(from, stretched ? factor.raw : int32_t{Q30::one});  // 30 fraction bits more
+        return int64_t{to} * surface.count - shift_right_round(scaled, min(30 - point.bits, 63));
+    };
+    const IVec3 p = surface.sum;
+    const int64_t x = component(point.position.x, p.x, stretch.position[0]), y = component(point.position.y, p.y, stretch.position[1]),
+                  z = component(point.position.z, p.z, stretch.position[2]);
+    const int excess = max(0, 34 - leading_zeros(magnitude(x) | magnitude(y) | magnitude(z)));
+    return {{static_cast<int32_t>(x >> excess), static_cast<int32_t>(y >> excess), static_cast<int32_t>(z >> excess)}, excess};
+}
+
+/// Whichever the point needs.
+template <Needs N, bool Wide>
+SHADE16_INLINE constexpr FineVector vector_to(const LatticePoint& point, const SurfacePoint& surface, bool stretched, const Stretch& stretch) {
+    if constexpr (N.phong && Wide)
+        if (surface.count > 3) return towards_finely(point, surface, stretched, stretch);
+    return {towards(point, surface, stretched, stretch), 0};
 }
 
 /// N.L as the factor of a product: Q16 up to 65535 from 16-bit vectors, Q32 from 32-bit ones; 0 for light from behind.
@@ -76,11 +102,12 @@ SHADE16_INLINE constexpr uint32_t attenuated(uint32_t factor, Scaled attenuation
 }
 
 /// The attenuation at the end of a vector that `towards` gave.
-SHADE16_ONCE constexpr Scaled attenuation_along(const LatticeAttenuation& a, IVec3 v, int32_t count) {
+SHADE16_ONCE constexpr Scaled attenuation_along(const LatticeAttenuation& a, IVec3 v, int coarser, int32_t count) {
     const uint64_t squared = static_cast<uint64_t>(multiply(v.x, v.x)) + static_cast<uint64_t>(multiply(v.y, v.y)) + static_cast<uint64_t>(multiply(v.z, v.z));
-    const Scaled squared_distance = Scaled::normalized(squared, 0);
-    constexpr Scaled ninth{0xE38E38E4u, -3}, sixteenth{0x80000000u, -3};
-    return a.at(count == 1 ? squared_distance : squared_distance * (count == 3 ? ninth : sixteenth));
+    constexpr Scaled ninth{0xE38E38E4u, -3};
+    if (count == 3) return a.at(Scaled::normalized(squared, 0) * ninth);
+    const int count_log2 = 31 - leading_zeros(static_cast<uint32_t>(count));
+    return a.at(Scaled::normalized(squared, 2 * (coarser - count_log2)));
 }
 
 SHADE16_INLINE constexpr void modulate(Accumulator& sum, const Rgb& c) {
@@ -105,16 +132,16 @@ SHADE16_INLINE constexpr Accumulator light_point(const ObjectLighting<Tier>& obj
     UnitVector<Tier> view = object.view;
     const bool local_viewer = N.local_viewer && object.local_viewer && shininess != nullptr;
     if constexpr (N.local_viewer)
-        if (local_viewer) view = UnitVectorOf<Tier>::normalize(detail::towards(object.eye, position, stretched, object.stretch));
+        if (local_viewer) view = UnitVectorOf<Tier>::normalize(detail::vector_to<N, wide>(object.eye, position, stretched, object.stretch).v);
 
     for (const ObjectLight<Tier>& light : lights) {
         UnitVector<Tier> direction = light.direction;
         const bool is_point = N.point && (!N.directional || light.is_point);
-        IVec3 to_light{};
+        detail::FineVector to_light{};
         if constexpr (N.point)
             if (is_point) {
-                to_light = detail::towards(light.point, position, stretched, object.stretch);
-                direction = UnitVectorOf<Tier>::normalize(to_light);
+                to_light = detail::vector_to<N, wide>(light.point, position, stretched, object.stretch);
+                direction = UnitVectorOf<Tier>::normalize(to_light.v);
             }
 
         uint32_t n_dot_l = detail::cosine(normal, direction);
@@ -123,7 +150,7 @@ SHADE16_INLINE constexpr Accumulator light_point(const ObjectLighting<Tier>& obj
         const bool fades = N.attenuation && is_point && light.attenuation.fades;
         if constexpr (N.attenuation)
             if (fades) {
-                fading = detail::attenuation_along(light.attenuation, to_light, position.count);
+                fading = detail::attenuation_along(light.attenuation, to_light.v, to_light.coarser, position.count);
                 n_dot_l = detail::attenuated<wide>(n_dot_l, fading);
             }
         if constexpr (N.diffuse) detail::add_term<wide>(sum, light.diffuse, n_dot_l, fading.exponent);

@@ -19,7 +19,10 @@ struct PixelLight {
     template <PixelFormat Format>
     [[gnu::noinline]] constexpr typename Format::Pixel pixel(const SurfaceSample& s) const {
         SurfacePoint point{};
-        if constexpr (detail::carries_position(N)) point = {{s.position.x >> 11, s.position.y >> 11, s.position.z >> 11}, 4};
+        if constexpr (detail::carries_position(N)) {
+            if constexpr (Arithmetic<Tier>::wide) point = {s.position, 8192};
+            else point = {{s.position.x >> 11, s.position.y >> 11, s.position.z >> 11}, 4};
+        }
         Rgb color{};
         if constexpr (N.vertex_colors) color = {unorm(s.color.x), unorm(s.color.y), unorm(s.color.z)};
         const Accumulator sum = light_point<N>(lighting, lights, shininess, point, UnitVectorOf<Tier>::normalize(s.normal), has_colors ? &color : nullptr);

@@ -233,7 +233,8 @@ private:
     template <PixelFormat Format>
     constexpr void paint_phong(const FacingTriangle<Tier>& triangle, const SurfaceSample (&surface)[3], const Object& object, const ObjectState<Tier>& state,
                                const Band<Format>& band) {
-        draw_phong(triangle, surface, PixelLight<N, Tier>{state.lighting, lights_of(state), state.shininess, !object.mesh.colors.empty()}, band);
+        draw_phong(triangle, surface, PixelLight<N, Tier>{state.lighting, lights_of(state), state.shininess, !object.mesh.colors.empty()},
+                   object.material.normal_path, band);
     }
 
     constexpr RasterPoint centre() const { return {viewport_.width * 8, viewport_.height * 8}; }

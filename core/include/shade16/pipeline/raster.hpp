@@ -3,7 +3,7 @@
 #pragma once
 
 #include "shade16/pipeline/paint_exact.hpp"
-#include "shade16/pipeline/paint_phong.hpp"
+#include "shade16/pipeline/paint_spherical.hpp"
 #include "shade16/pipeline/small_triangle.hpp"
 
 namespace shade16 {
@@ -78,7 +78,7 @@ SHADE16_INLINE constexpr void draw_triangle(const FacingTriangle<Tier>& t, const
 /// Draws what shows of a triangle in the band, each pixel lit by itself; `surface` is that at its corners a, b and c.
 template <Needs N, PixelFormat Format, PrecisionTier Tier>
 [[gnu::noinline]] constexpr void draw_phong(const FacingTriangle<Tier>& triangle, const SurfaceSample (&surface)[3], const PixelLight<N, Tier>& light,
-                                            const Band<Format>& band) {
+                                            [[maybe_unused]] NormalPath path, const Band<Format>& band) {
     const TriangleSetup<Tier> t = set_up(triangle);
     const PixelBox box = triangle.box(band.width);
     const RasterPoint from_corner = t.to_reference();
@@ -86,9 +86,15 @@ template <Needs N, PixelFormat Format, PrecisionTier Tier>
     for (int i = 0; i < 3; ++i) sorted[i] = surface[t.corner[i] == triangle.a ? 0 : t.corner[i] == triangle.b ? 1 : 2];
     const DepthPlane depth(t, from_corner);
     const SurfacePlanes<N> planes(t, sorted, from_corner);
-    if (t.is_sliver() || planes.is_steep || (N.depth && depth.is_steep()))
-        detail::walk(t, box, band, N.depth, PhongSliverPainter<N, Format, N.depth, Tier>(t, sorted, from_corner, light));
-    else detail::walk(t, box, band, N.depth, PhongPainter<N, Format, N.depth, Tier>(planes, depth, light));
+    const bool is_sliver = t.is_sliver() || planes.is_steep || (N.depth && depth.is_steep());
+    const auto paint = [&](const auto& painter) { detail::walk(t, box, band, N.depth, painter); };
+    if constexpr (N.spherical)
+        if (path == NormalPath::spherical) {
+            if (is_sliver) return paint(SphericalSliverPainter<N, Format, N.depth, Tier>(t, sorted, from_corner, light));
+            return paint(SphericalPainter<N, Format, N.depth, Tier>(t, sorted, planes, depth, light));
+        }
+    if (is_sliver) return paint(PhongSliverPainter<N, Format, N.depth, Tier>(t, sorted, from_corner, light));
+    paint(PhongPainter<N, Format, N.depth, Tier>(planes, depth, light));
 }
 
 }  // namespace shade16

@@ -10,6 +10,10 @@ namespace shade16 {
 /// colours are interpolated. phong: at every pixel, from interpolated and renormalised normals.
 enum class Shading : uint8_t { flat, gouraud, phong };
 
+/// How Phong shading interpolates normals. linear: by components. spherical: along great circles, first along the edges, then
+/// along each row of pixels; opposite normals turn by way of the axis that is farthest from them, x before y before z.
+enum class NormalPath : uint8_t { linear, spherical };
+
 /// The ambient colour; the diffuse one unless it is given.
 struct AmbientColor {
     Rgb color{};
@@ -26,6 +30,7 @@ struct Material {
     Rgb emissive = black;
     Q16 shininess = 32;  // the Blinn-Phong exponent, 1 to 1000, fractions welcome; clamped outside
     Shading shading = Shading::gouraud;
+    NormalPath normal_path = NormalPath::linear;  // with Shading::phong
     bool unlit = false;  // shows its diffuse colour, or the vertex colours, whatever the light
 
     constexpr Rgb ambient_color() const { return ambient.given ? ambient.color : diffuse; }

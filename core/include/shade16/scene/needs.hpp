@@ -15,6 +15,7 @@ struct Needs {
     bool flat = false;           // faces of one colour
     bool gouraud = false;        // interpolated colours
     bool phong = false;          // light a pixel
+    bool spherical = false;      // normals along great circles
     bool vertex_colors = false;  // a factor a vertex
     bool ambient = false;        // ambient or emissive light
     bool diffuse = false;
@@ -28,7 +29,7 @@ struct Needs {
     friend constexpr bool operator==(const Needs&, const Needs&) = default;
 };
 
-inline constexpr Needs all_needs{true, true, true, true, true, true, true, true, true, true, true, true, true, true, true, true, true};
+inline constexpr Needs all_needs{true, true, true, true, true, true, true, true, true, true, true, true, true, true, true, true, true, true};
 
 /// The union: one pipeline for several scenes.
 constexpr Needs operator|(Needs a, Needs b) {
@@ -36,7 +37,7 @@ constexpr Needs operator|(Needs a, Needs b) {
             a.depth || b.depth,
             a.lit || b.lit, a.unlit || b.unlit,
             a.flat || b.flat, a.gouraud || b.gouraud,
-            a.phong || b.phong,
+            a.phong || b.phong, a.spherical || b.spherical,
             a.vertex_colors || b.vertex_colors, a.ambient || b.ambient,
             a.diffuse || b.diffuse, a.specular || b.specular,
             a.directional || b.directional, a.point || b.point,
@@ -55,6 +56,7 @@ constexpr Needs needs_of(const Object& object, View<Light> lights) {
     n.lit = !m.unlit;
     n.flat = m.shading == Shading::flat && !m.unlit;
     n.phong = m.shading == Shading::phong && !m.unlit;
+    n.spherical = n.phong && m.normal_path == NormalPath::spherical;
     n.gouraud = !n.flat && !n.phong;
     n.vertex_colors = !object.mesh.colors.empty();
     n.stretch = object.pose.scale.x != object.pose.scale.y || object.pose.scale.y != object.pose.scale.z;
