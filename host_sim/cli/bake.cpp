@@ -4,6 +4,7 @@
 
 #include "host_sim/cli/console.hpp"
 #include "host_sim/cli/json_text.hpp"
+#include "host_sim/cli/open_scene.hpp"
 #include "host_sim/io/atomic_file.hpp"
 #include "host_sim/model/bake_header.hpp"
 #include "host_sim/model/identifier.hpp"
@@ -61,7 +62,7 @@ void finish(const BakeOptions& o, const std::string& header, const std::string& 
 ExitCode bake_model(const BakeOptions& o) {
     refuse_to_overwrite(o.model, o.output, "the model itself");
     const std::string name = name_of(o);
-    const BakedModel baked = quantize(import_obj(o.model));
+    const BakedModel baked = quantize(import_obj(o.model, o.crease));
     if (!o.quiet) print_warnings(baked.warnings);
     finish(o, bake_header(baked, name), o.json ? bake_json(o, baked) : model_text(o, baked));
     return ExitCode::ok;
@@ -69,6 +70,7 @@ ExitCode bake_model(const BakeOptions& o) {
 
 ExitCode bake_scene(const BakeOptions& o) {
     refuse_to_overwrite(o.model, o.output, "the scene file itself");
+    if (o.crease) throw crease_beside_scene_file();
     const std::string name = name_of(o);
     const LoadedScene scene(read_scene(o.model));
     for (const MeshDescription& mesh : scene.description().meshes)

@@ -43,10 +43,16 @@ void add_shading(CLI::App& app, std::optional<Shading>& shading) {
         [&](const std::string& word) { shading = shading_of(word); });
 }
 
+void add_crease(CLI::App& app, std::optional<double>& crease) {
+    add(app, "--crease", "ANGLE", "normals from the faces, which keep edges sharper than so many degrees [the model's]",
+        [&](const std::string& word) { crease = crease_of(word); });
+}
+
 template <class Options>
 void add_look(CLI::App& app, Options& o) {
     add(app, "--size", "WxH", "pixels [320x240]", [&](const std::string& word) { o.size = size_of(word); });
     add_shading(app, o.shading);
+    add_crease(app, o.crease);
 }
 
 void add_render(CLI::App& app, RenderOptions& o) {
@@ -93,6 +99,7 @@ void add_bake(CLI::App& app, BakeOptions& o) {
     })->required();
     add(app, "--name", "NAME", "of the mesh or the scene in C++ [the header's]",
         [&](const std::string& name) { o.name = name; });
+    add_crease(app, o.crease);
     add_flag(app, "--quiet", o.quiet, "print errors only");
     add_json(app, o.json);
 }
@@ -109,6 +116,7 @@ void add_preview(CLI::App& app, PreviewOptions& o) {
         [&](const std::string& word) { o.frames = whole_number("--frames", word, 1, 100'000); });
     add_tier(app, o.tier, "lowp, mediump or highp [mediump]");
     add_shading(app, o.shading);
+    add_crease(app, o.crease);
 }
 
 /// Help that begins with examples; a list of commands has one line for each.

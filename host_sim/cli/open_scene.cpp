@@ -14,19 +14,25 @@ template <class Options>
 OpenScene opened(const Options& o, std::optional<SceneDescription> file) {
     const Shading* const shading = o.shading ? &*o.shading : nullptr;
     if (file) return {std::make_unique<LoadedScene>(*file, shading), std::nullopt, *file};
-    auto scene = std::make_unique<ModelScene>(import_obj(o.model), o.size, shading);
+    auto scene = std::make_unique<ModelScene>(import_obj(o.model, o.crease), o.size, shading);
     const FitFigures fit = scene->figures();
     SceneDescription description = describe(*scene, o.model);
+    description.meshes.front().crease_degrees = o.crease;
     return {std::move(scene), fit, std::move(description)};
 }
 
 template <class Options>
 std::optional<SceneDescription> scene_file(const Options& o) {
     if (!is_scene_file(o.model)) return std::nullopt;
+    if (o.crease) throw crease_beside_scene_file();
     return read_scene(o.model);
 }
 
 }  // namespace
+
+Error crease_beside_scene_file() {
+    return input_error("--crease: a scene file says it mesh by mesh; expected 'crease' below its [meshes].");
+}
 
 OpenScene open_scene(RenderOptions& o) {
     const auto file = scene_file(o);
@@ -58,7 +64,7 @@ OpenScene open_scene(InfoOptions& o) {
 }
 
 OpenScene open_scene(const PreviewOptions& options, Viewport size) {
-    InfoOptions o{options.model, options.shading, size, false, {"--size"}};
+    InfoOptions o{options.model, options.shading, options.crease, size, false, {"--size"}};
     return open_scene(o);
 }
 

@@ -18,6 +18,7 @@ struct RenderOptions {
     OutputKind kind = OutputKind::y4m;
     std::string tier = "mediump", format = "rgb565";
     std::optional<Shading> shading{};  // the material's own without it
+    std::optional<double> crease{};    // degrees; the model's own normals without it
     Engine engine = Engine::fixed;
     Viewport size{320, 240};
     int frames = 0;  // 0: as many as suit the kind of output
@@ -33,6 +34,7 @@ struct CompareOptions {
     std::string model{};
     std::string tier{};  // empty: every one
     std::optional<Shading> shading{};
+    std::optional<double> crease{};
     Viewport size{320, 240};
     int frames = 8;
     bool quiet = false, json = false;
@@ -41,6 +43,7 @@ struct CompareOptions {
 
 struct BakeOptions {
     std::string model{}, output{}, name{};
+    std::optional<double> crease{};
     bool quiet = false, json = false;
 };
 
@@ -48,12 +51,14 @@ struct PreviewOptions {
     std::string model{};
     std::string tier = "mediump";
     std::optional<Shading> shading{};
+    std::optional<double> crease{};
     int frames = 0;  // 0: until somebody ends it
 };
 
 struct InfoOptions {
     std::string model{};
     std::optional<Shading> shading{};
+    std::optional<double> crease{};
     Viewport size{320, 240};
     bool json = false;
     std::set<std::string> given{};  // as in RenderOptions

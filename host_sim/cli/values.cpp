@@ -55,6 +55,14 @@ Shading shading_of(const std::string& word) {
     return word == "flat" ? Shading::flat : word == "phong" ? Shading::phong : Shading::gouraud;
 }
 
+double crease_of(const std::string& word) {
+    double degrees = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), degrees);
+    if (error != std::errc{} || end != word.data() + word.size() || !(degrees >= 0 && degrees <= 180))
+        throw input_error("--crease {}: expected an angle from 0 to 180 degrees, such as 60.", word);
+    return degrees;
+}
+
 Engine engine_of(const std::string& word) {
     expect_one_of("--engine", word, {"fixed", "reference"});
     return word == "fixed" ? Engine::fixed : Engine::reference;

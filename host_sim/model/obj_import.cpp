@@ -45,15 +45,16 @@ Parsed parse(const std::string& path, const ObjText& text, MtlReader& materials)
 
 class Builder {
 public:
-    Builder(const Parsed& parsed, Model& model)
-        : parsed_(parsed), model_(model), bad_normals_(parsed.attributes.normals.size() / 3) {
+    Builder(const Parsed& parsed, const ObjText& text, std::optional<double> crease_degrees, Model& model)
+        : parsed_(parsed), model_(model), has_smoothing_(text.has_smoothing), keeps_normals_(!crease_degrees),
+          normals_(crease_degrees.value_or(180)), bad_normals_(parsed.attributes.normals.size() / 3) {
         const auto& colors = parsed.attributes.colors;
         const bool colored = std::any_of(colors.begin(), colors.end(), [](auto channel) { return channel != 1; });
         colored_ = colored && colors.size() == parsed.attributes.vertices.size();
     }
 
     void build() {
-        for_each_face([this](std::size_t, std::size_t) { normals_.add_face(corners_); });
+        for_each_face([this](std::size_t face, std::size_t) { normals_.add_face(corners_, group_of(face)); });
         for_each_face([this](std::size_t face, std::size_t first) { add_face(face, first); });
         const std::vector<std::string> sentences = remarks_.sentences();
         model_.warnings.insert(model_.warnings.end(), sentences.begin(), sentences.end());
@@ -74,6 +75,9 @@ private:
         }
     }
 
+    /// Without any smoothing group in the file, everything is smooth.
+    unsigned group_of(std::size_t face) const { return has_smoothing_ ? parsed_.mesh.smoothing_group_ids[face] : 1; }
+
     void add_face(std::size_t face, std::size_t first) {
         const std::optional<Double3> face_normal = direction(area_vector(corners_));
         for (const auto& [a, b, c] : triangulate(corners_)) {
@@ -84,14 +88,14 @@ private:
             const std::array<Double3, 3> triangle{corners_[a], corners_[b], corners_[c]};
             const Double3 normal =
                 face_normal ? *face_normal : direction(area_vector(triangle)).value_or(Double3{0, 0, 1});
-            const auto at = [&](std::size_t i) { return vertex(parsed_.mesh.indices[first + i], corners_[i], normal); };
+            const auto at = [&](std::size_t i) { return vertex(parsed_.mesh.indices[first + i], corners_[i], {normal, group_of(face)}); };
             const std::array<uint32_t, 3> indices{at(a), at(b), at(c)};
             part_of(parsed_.mesh.material_ids[face]).triangles.push_back(indices);
         }
     }
 
-    uint32_t vertex(const tinyobj::index_t& index, const Double3& position, const Double3& face_normal) {
-        const Double3 normal = normal_at(index, position, face_normal);
+    uint32_t vertex(const tinyobj::index_t& index, const Double3& position, const FaceSide& face) {
+        const Double3 normal = normal_at(index, position, face);
         const Double3 color = colored_ ? triple(parsed_.attributes.colors, index.vertex_index) : Double3{1, 1, 1};
         const auto [entry, is_new] =
             vertices_.try_emplace({position, normal, color}, static_cast<uint32_t>(model_.positions.size()));
@@ -103,12 +107,12 @@ private:
         return entry->second;
     }
 
-    Double3 normal_at(const tinyobj::index_t& index, const Double3& position, const Double3& face_normal) {
-        if (index.normal_index >= 0) {
+    Double3 normal_at(const tinyobj::index_t& index, const Double3& position, const FaceSide& face) {
+        if (keeps_normals_ && index.normal_index >= 0) {
             if (const auto given = direction(triple(parsed_.attributes.normals, index.normal_index))) return *given;
             bad_normals_[static_cast<std::size_t>(index.normal_index)] = true;
         }
-        return normals_.at(position).value_or(face_normal);
+        return normals_.at(position, face).value_or(face.normal);
     }
 
     ModelPart& part_of(int material_id) {
@@ -123,9 +127,9 @@ private:
 
     const Parsed& parsed_;
     Model& model_;
-    bool colored_ = false;
+    bool colored_ = false, has_smoothing_, keeps_normals_;
     std::vector<Double3> corners_{};  // of the face at hand
-    SmoothNormals normals_{};
+    SmoothNormals normals_;
     std::vector<bool> bad_normals_;
     std::map<std::array<Double3, 3>, uint32_t> vertices_{};
     std::map<int, std::size_t> parts_{};
@@ -161,7 +165,7 @@ void warn_of_repairs(const ObjText& text, Model& model) {
 
 }  // namespace
 
-Model import_obj(const std::string& path) {
+Model import_obj(const std::string& path, std::optional<double> crease_degrees) {
     const ObjText text = check_obj_text(path, read_text(path));
     if (text.faces == 0) throw input_error("{}: has no faces; expected at least one line such as 'f 1 2 3'.", path);
 
@@ -171,7 +175,7 @@ Model import_obj(const std::string& path) {
     MtlReader materials(std::filesystem::path(path).parent_path().string(), text.libraries, model.warnings);
     const Parsed parsed = parse(path, text, materials);
     warn_of_missing_materials(text, parsed, model);
-    Builder(parsed, model).build();
+    Builder(parsed, text, crease_degrees, model).build();
     warn_of_repairs(text, model);
     if (model.parts.empty())
         throw input_error("{}: has {} faces, but none has an area; expected at least one that does.", path, text.faces);

@@ -1,6 +1,7 @@
 // Wavefront OBJ, with its MTL libraries.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "host_sim/model/model.hpp"
@@ -11,9 +12,13 @@ namespace shade16::host {
 ///
 /// Where the file gives no normal (or one of zero length), a vertex gets the normalised sum of the unit normals of all
 /// faces at its position. Position, not index: the teapot has 792 v lines and 529 distinct positions, and its seams
-/// must not show. Each face counts once, whatever its area and number of corners; smoothing groups are not looked at.
+/// must not show. Each face counts once, whatever its area and number of corners. Where the file has smoothing groups, faces
+/// are smooth within their group, and flat where it is off.
+///
+/// With a crease angle, from 0 to 180 degrees, all normals are made anew from the faces: those that meet at a greater angle
+/// keep a hard edge, each with a vertex of its own.
 ///
 /// Throws input_error for a file that is missing, unreadable, without a drawable face, or wrong in one of its lines.
-Model import_obj(const std::string& path);
+Model import_obj(const std::string& path, std::optional<double> crease_degrees = {});
 
 }  // namespace shade16::host

@@ -45,6 +45,8 @@ private:
             pass_on(words);
         } else if (words[0] == "f") {
             check_face(words);
+        } else if (words[0] == "s") {
+            smooth(words.size() > 1 ? words[1] : "off");
         } else if (words[0] == "usemtl") {
             use_material(after_first_word(line.text));
         } else if (words[0] == "mtllib") {
@@ -53,6 +55,14 @@ private:
                    words[0] == "surf") {
             ++result_.not_faces;
         }
+    }
+
+    /// A group's number; 'off' is group 0.
+    void smooth(std::string_view group) {
+        unsigned number = group == "on" ? 1 : 0;
+        std::from_chars(group.data(), group.data() + group.size(), number);
+        result_.has_smoothing = true;
+        pass_on({"s", std::to_string(number)});
     }
 
     /// Rewritten with single blanks, so that tinyobjloader cannot split a line otherwise than it was checked.

@@ -10,9 +10,10 @@
 namespace shade16::host {
 
 struct ObjText {
-    std::string lines{};                   // the v, vn, vt, usemtl and f lines, the names in joined_name form
+    std::string lines{};                   // the v, vn, vt, s, usemtl and f lines, the names in joined_name form
     std::vector<std::string> libraries{};  // what follows each mtllib
     std::vector<std::string> materials{};  // the names that usemtl uses, each once
+    bool has_smoothing = false;  // some s line
     std::size_t faces = 0;
     std::size_t short_faces = 0;  // of fewer than three corners, left out
     std::size_t not_faces = 0;    // lines, points and curves, left out

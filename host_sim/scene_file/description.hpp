@@ -26,6 +26,7 @@ struct MeshDescription {
     int line = 0;
     ShapeKind kind = ShapeKind::file;
     std::string file{};                    // as the scene file has it
+    std::optional<double> crease_degrees{};  // none: the file's own normals
     uint32_t around = 0, along = 0;        // slices and stacks, or rings and sides
     Q30 minor_radius{torus_minor_radius};  // of a torus, its ring's radius being 1
     std::vector<Rgb> colors{};             // a vertex each; empty: the model's own, if it has any

@@ -103,6 +103,7 @@ void add_mesh(Dump& to, const MeshDescription& m, const std::string& scene_path)
     if (m.kind == ShapeKind::file) {
         const auto beside = std::filesystem::path(scene_path).parent_path() / m.file;
         to.word("file", std::filesystem::absolute(beside).lexically_normal().string());
+        if (m.crease_degrees) to.key("crease", decimal(*m.crease_degrees));
         return;
     }
     to.word("shape", sphere ? "sphere" : torus ? "torus" : m.kind == ShapeKind::cube ? "cube" : "quad");

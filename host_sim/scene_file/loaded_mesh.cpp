@@ -49,7 +49,7 @@ Error at_line(const MeshDescription& m, const std::string& scene_path, ExitCode 
 LoadedMesh load_mesh(const MeshDescription& m, const std::string& scene_path) {
     LoadedMesh mesh;
     if (m.kind == ShapeKind::file) try {
-            mesh.model = import_obj((std::filesystem::path(scene_path).parent_path() / m.file).string());
+            mesh.model = import_obj((std::filesystem::path(scene_path).parent_path() / m.file).string(), m.crease_degrees);
             mesh.baked = quantize(*mesh.model);
             return mesh;
         } catch (const Error& error) {

@@ -8,7 +8,7 @@ namespace shade16::host {
 
 namespace {
 
-constexpr Range scales{0.0001, 16384}, degrees{-36'000, 36'000}, turns{-1000, 1000};
+constexpr Range scales{0.0001, 16384}, degrees{-36'000, 36'000}, turns{-1000, 1000}, creases{0, 180};
 constexpr Range tube_radii{.least = 0, .largest = 1, .without_least = true, .without_largest = true};
 constexpr int most_rows = 2000;
 
@@ -17,7 +17,7 @@ const std::vector<std::string> shapes{"sphere", "torus", "cube", "quad"};
 std::vector<std::string> keys_of(ShapeKind kind) {
     switch (kind) {
         case ShapeKind::file:
-            return {"file"};
+            return {"file", "crease"};
         case ShapeKind::sphere:
             return {"shape", "slices", "stacks", "colors"};
         case ShapeKind::torus:
@@ -68,7 +68,7 @@ SpinDescription read_spin(const SceneTables& tables, const std::string& what, co
 MeshDescription read_mesh(const SceneTables& tables, const TomlEntry& entry) {
     const std::string what = fmt::format("mesh '{}'", entry.key);
     const TableReader any = tables.reader(
-        what, entry.value, {"file", "shape", "slices", "stacks", "rings", "sides", "minor_radius", "colors"});
+        what, entry.value, {"file", "crease", "shape", "slices", "stacks", "rings", "sides", "minor_radius", "colors"});
     MeshDescription mesh{.name = entry.key, .line = entry.line, .kind = kind_of_mesh(any)};
     const TableReader table = tables.reader(what, entry.value, keys_of(mesh.kind));
     table.read("file", mesh.file);
@@ -81,6 +81,10 @@ MeshDescription read_mesh(const SceneTables& tables, const TomlEntry& entry) {
         mesh.minor_radius = q30_of(radius);
     }
     table.read("colors", mesh.colors);
+    if (table.has("crease")) {
+        mesh.crease_degrees = 0;
+        table.read("crease", *mesh.crease_degrees, creases);
+    }
     return mesh;
 }
 

@@ -65,6 +65,30 @@ TEST(ObjImport, a_quad_counts_once_in_a_normal) {
     for (std::size_t i = 0; i < 8; ++i) EXPECT_NEAR(dot(model.normals[i], model.positions[i]), std::sqrt(3.0), 1e-14);
 }
 
+// A roof: two faces that meet at a right angle along the y axis.
+const std::string roof = "v 0 0 0\nv 0 1 0\nv 1 0 -1\nv -1 0 -1\n";
+
+TEST(ObjImport, without_groups_everything_is_smooth) {
+    EXPECT_EQ(imported(roof + "f 1 3 2\nf 1 2 4\n").positions.size(), 4u);
+}
+TEST(ObjImport, smoothing_groups_keep_the_edges_between_them) {
+    EXPECT_EQ(imported(roof + "s 1\nf 1 3 2\nf 1 2 4\n").positions.size(), 4u);
+    EXPECT_EQ(imported(roof + "s 1\nf 1 3 2\ns 2\nf 1 2 4\n").positions.size(), 6u);
+    EXPECT_EQ(imported(roof + "s off\nf 1 3 2\nf 1 2 4\n").positions.size(), 6u);
+    const Model flat = imported(roof + "s off\nf 1 3 2\nf 1 2 4\n");
+    EXPECT_NEAR(flat.normals[0][0], std::sqrt(0.5), 1e-9);  // a face's own normal
+}
+TEST(ObjImport, a_crease_keeps_sharper_edges_whatever_the_file_says) {
+    const auto vertices = [](const std::string& obj, double crease) {
+        const ScratchDirectory scratch;
+        return import_obj(scratch.write("a.obj", obj), crease).positions.size();
+    };
+    EXPECT_EQ(vertices(roof + "f 1 3 2\nf 1 2 4\n", 89), 6u);
+    EXPECT_EQ(vertices(roof + "f 1 3 2\nf 1 2 4\n", 90), 4u);
+    EXPECT_EQ(vertices(roof + "vn 0 0 1\nf 1//1 3//1 2//1\nf 1//1 2//1 4//1\n", 30), 6u);
+    EXPECT_EQ(vertices(roof + "f 1 3 2\nf 1 2 4\n", 180), 4u);
+}
+
 TEST(ObjImport, given_normals_are_kept_and_made_unit) {
     const Model model = imported(triangle + "vn 0 0 9\nvn 0 1e-200 0\nf 1//1 2//2 3//-2\n");
     EXPECT_EQ(model.normals, (std::vector<Double3>{{0, 0, 1}, {0, 1, 0}, {0, 0, 1}}));

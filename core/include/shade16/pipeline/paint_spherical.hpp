@@ -88,7 +88,7 @@ public:
         return {half.normal(h), whole_.normal(t), half.x(h), whole_.x(t)};
     }
     /// The centre of a column that is counted from the triangle's reference, as RowNormals takes it.
-    constexpr int64_t centre(int32_t column) const { return (int64_t{reference_ + column} << 20) + (1 << 19); }
+    constexpr int64_t centre(int32_t column) const { return (int64_t{reference_ + column} << 20) + (int32_t{1} << 19); }
 
 private:
     detail::EdgeArc whole_{}, upper_{}, lower_{};

@@ -65,7 +65,7 @@ struct TriangleSetup {
 /// Twice the area in raster units, positive for triangles that run clockwise on the screen (y points down).
 template <PrecisionTier Tier>
 SHADE16_INLINE constexpr int64_t doubled_area(const ScreenVertex<Tier>& a, const ScreenVertex<Tier>& b, const ScreenVertex<Tier>& c) {
-    const int32_t dx1 = b.x - a.x, dy1 = b.y - a.y, dx2 = c.x - a.x, dy2 = c.y - a.y;
+    const int32_t dx1 = int32_t{b.x} - a.x, dy1 = int32_t{b.y} - a.y, dx2 = int32_t{c.x} - a.x, dy2 = int32_t{c.y} - a.y;
 #if SHADE16_NARROW_MULTIPLY
     const uint32_t reach = magnitude(dx1) | magnitude(dy1) | magnitude(dx2) | magnitude(dy2);
     if (reach < (uint32_t{1} << 15)) return dx1 * dy2 - dx2 * dy1;

@@ -55,7 +55,7 @@ struct SmallPlanes {
         if (area < (extent_px + 2) * 16) return false;
         const SmallGradient gradient(edge1, edge2, static_cast<uint32_t>(area));
         if constexpr (Depth) {
-            const int32_t d1 = b.z - a.z, d2 = c.z - a.z;
+            const int32_t d1 = int32_t{b.z} - a.z, d2 = int32_t{c.z} - a.z;
             const int32_t x = mulhi(gradient.x(d1, d2), gradient.inverse), y = mulhi(gradient.y(d1, d2), gradient.inverse);
             if (((x ^ x >> 31) | (y ^ y >> 31)) >> 22 != 0) return false;
             const int32_t step_x = shift_left(x, 8) >> (gradient.right - 2), step_y = shift_left(y, 8) >> (gradient.right - 2);

@@ -17,7 +17,7 @@ namespace detail {
 /// With lights at infinity and an infinite viewer alone, nothing asks where a point is.
 constexpr bool carries_position(Needs n) { return n.point || n.local_viewer; }
 
-SHADE16_INLINE constexpr IVec3 as_q29(const Normal14& n) { return {n.x.raw * 32768, n.y.raw * 32768, n.z.raw * 32768}; }
+SHADE16_INLINE constexpr IVec3 as_q29(const Normal14& n) { return {int32_t{n.x.raw} * 32768, int32_t{n.y.raw} * 32768, int32_t{n.z.raw} * 32768}; }
 SHADE16_INLINE constexpr IVec3 as_q29(const Normal30& n) { return {n.x.raw >> 1, n.y.raw >> 1, n.z.raw >> 1}; }
 
 /// f of every number that the needs carry, of one or more samples.
@@ -35,8 +35,9 @@ constexpr SurfaceSample surface_at(const Mesh& mesh, const ObjectLighting<Tier>&
     SurfaceSample s;
     if (!mesh.normals.empty()) s.normal = detail::as_q29(lighting_normal<N>(lighting, mesh.normals[index]));
     const Position16 p = mesh.positions[index];
-    s.position = {p.x * 8192, p.y * 8192, p.z * 8192};
-    if (!mesh.colors.empty()) s.color = {mesh.colors[index].r.raw * 8192, mesh.colors[index].g.raw * 8192, mesh.colors[index].b.raw * 8192};
+    s.position = {int32_t{p.x} * 8192, int32_t{p.y} * 8192, int32_t{p.z} * 8192};
+    const auto in_q29 = [](Unorm16 c) { return int32_t{c.raw} * 8192; };
+    if (!mesh.colors.empty()) s.color = {in_q29(mesh.colors[index].r), in_q29(mesh.colors[index].g), in_q29(mesh.colors[index].b)};
     return s;
 }
 
