@@ -50,6 +50,7 @@ std::string result_text(const RenderOptions& o, int frames) {
                     o.size.width * o.scale, o.size.height * o.scale);
     if (o.kind == OutputKind::y4m) text += fmt::format(" at {} frames a second; plays with: mpv {}", o.fps, o.output);
     if (o.kind == OutputKind::apng) text += fmt::format(" at {} frames a second; a web browser plays it", o.fps);
+    if (o.kind == OutputKind::png) text += fmt::format(", numbered from -{:04} to -{:04}", 0, frames - 1);
     if (o.kind == OutputKind::raw)
         text += fmt::format("; shows with: ffplay -f rawvideo -pixel_format {} -video_size {}x{} {}",
                             o.format == Rgb565Swapped::name ? "rgb565be" : "rgb565le", o.size.width * o.scale,
@@ -83,7 +84,7 @@ ExitCode render(const RenderOptions& options) {
     }
     writer->finish();
     if (o.json) print_beside(o.output, render_json(o, open.fit ? &*open.fit : nullptr, frames, scene.warnings()));
-    else if (!o.quiet && o.kind != OutputKind::png) print_beside(o.output, result_text(o, frames));
+    else if (!o.quiet && (o.kind != OutputKind::png || frames > 1)) print_beside(o.output, result_text(o, frames));
     return ExitCode::ok;
 }
 

@@ -70,6 +70,8 @@ TEST(CliOutput, a_film_has_90_frames_and_a_picture_one) {
     EXPECT_EQ(rendered(".rgb565", "").size(), 96u * 80 * 2);
     EXPECT_EQ(shade16_program("render " + teapot() + " -o " + scratch.path("a.png")).out, "");
     EXPECT_THAT(scratch.names(), ElementsAre("a.png"));
+    EXPECT_THAT(shade16_program("render " + teapot() + " --size 20x20 --frames 3 -o " + scratch.path("b.png")).out,
+                HasSubstr("3 frames of 20x20 pixels, numbered from -0000 to -0002"));
 }
 
 TEST(CliOutput, bands_draw_the_same_bytes) {
