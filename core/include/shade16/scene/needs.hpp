@@ -29,20 +29,30 @@ struct Needs {
     friend constexpr bool operator==(const Needs&, const Needs&) = default;
 };
 
-inline constexpr Needs all_needs{true, true, true, true, true, true, true, true, true, true, true, true, true, true, true, true, true, true};
+namespace detail {
+/// The terms as an array, so that nothing below names each of them.
+struct NeedsArray {
+    static constexpr size_t count = sizeof(Needs);
+    bool term[count]{};
+};
+constexpr NeedsArray as_array(const Needs& n) { return __builtin_bit_cast(NeedsArray, n); }
+constexpr Needs as_needs(const NeedsArray& a) { return __builtin_bit_cast(Needs, a); }
+
+consteval Needs every_need() {
+    NeedsArray all;
+    for (bool& term : all.term) term = true;
+    return as_needs(all);
+}
+}  // namespace detail
+
+inline constexpr Needs all_needs = detail::every_need();
 
 /// The union: one pipeline for several scenes.
-constexpr Needs operator|(Needs a, Needs b) {
-    return {a.perspective || b.perspective, a.orthographic || b.orthographic,
-            a.depth || b.depth,
-            a.lit || b.lit, a.unlit || b.unlit,
-            a.flat || b.flat, a.gouraud || b.gouraud,
-            a.phong || b.phong, a.spherical || b.spherical,
-            a.vertex_colors || b.vertex_colors, a.ambient || b.ambient,
-            a.diffuse || b.diffuse, a.specular || b.specular,
-            a.directional || b.directional, a.point || b.point,
-            a.attenuation || b.attenuation,
-            a.local_viewer || b.local_viewer, a.stretch || b.stretch};
+constexpr Needs operator|(const Needs& a, const Needs& b) {
+    detail::NeedsArray sum = detail::as_array(a);
+    const detail::NeedsArray other = detail::as_array(b);
+    for (size_t i = 0; i < detail::NeedsArray::count; ++i) sum.term[i] = sum.term[i] || other.term[i];
+    return detail::as_needs(sum);
 }
 
 /// Whether a pipeline built for `have` can draw what wants `want`.
