@@ -31,9 +31,15 @@ LightParts light_face(const Scene& scene, const Frame& frame, std::size_t object
 struct FacePoint {
     glm::dvec3 weights{};                  // barycentric
     std::array<glm::dvec2, 3> corner_px{};  // what spherical interpolation follows: edges first, then rows of pixels
+    glm::dvec3 weights_in_space{};          // barycentric before projection: what texture coordinates in perspective follow
+    glm::dvec2 texel_shift{};              // where to look textures up instead, in texels: for errors of coordinates
 };
 
-/// The light there, its normal interpolated and renormalised: what Phong shading sees.
+/// Whether a face's pixels differ by more than colours interpolated from its corners.
+bool is_by_pixel(const Object& object);
+
+/// The light at a point of a face. With Phong shading its normal is interpolated and renormalised; otherwise the light of its
+/// corners, or of its centre, is interpolated. Textures count.
 LightParts light_surface(const Scene& scene, const Frame& frame, std::size_t object, uint32_t face, const FacePoint& at);
 
 /// Draws the whole scene.

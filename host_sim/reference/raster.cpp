@@ -46,7 +46,7 @@ void raster(Picture& picture, const std::array<Vertex, 3>& corner, const Shade& 
             if (depth >= picture.depth[i]) continue;
             picture.depth[i] = depth;
             const glm::dvec3 interpolated = (wa * a.color + wb * b.color + wc * c.color) / area;
-            picture.color[i] = shade ? shade(interpolated) : interpolated;
+            picture.color[i] = shade ? shade(interpolated, p) : interpolated;
             picture.covered[i] = true;
         }
 }

@@ -29,8 +29,8 @@ struct Picture {
 /// The barycentric coordinates of a point.
 glm::dvec3 barycentric(const std::array<glm::dvec2, 3>& corner, const glm::dvec2& p);
 
-/// What a pixel shows of what was interpolated to it.
-using Shade = std::function<glm::dvec3(const glm::dvec3&)>;
+/// What a pixel shows of what was interpolated to it, and of where it is.
+using Shade = std::function<glm::dvec3(const glm::dvec3& interpolated, const glm::dvec2& pixel)>;
 
 /// Draws a counter-clockwise triangle by the top-left rule; others are culled. Without a Shade the interpolated values are
 /// the colours.

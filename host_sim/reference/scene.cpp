@@ -9,6 +9,7 @@ Mesh value(const shade16::Mesh& mesh) {
         result.positions.push_back(centre + glm::dvec3(p.x, p.y, p.z) * std::ldexp(1.0, -mesh.fraction_bits));
     for (const Normal14& n : mesh.normals) result.normals.push_back(value(n));
     for (const Rgb& c : mesh.colors) result.colors.push_back(value(c));
+    for (const TexCoord16& at : mesh.texcoords) result.texcoords.push_back(glm::dvec2(at.s, at.t) * std::ldexp(1.0, -mesh.texcoord_bits));
     for (const shade16::Triangle& t : mesh.triangles) result.triangles.push_back({t.a, t.b, t.c});
     return result;
 }

@@ -17,6 +17,7 @@ struct Triangle {
 struct Mesh {
     std::vector<glm::dvec3> positions{}, normals{}, colors{};
     std::vector<Triangle> triangles{};
+    std::vector<glm::dvec2> texcoords{};
 };
 
 /// The quantised mesh, each value exact.

@@ -51,4 +51,9 @@ ScreenPoint project(const View& view, const glm::dvec3& p) {
             std::clamp(depth, 0.0, 1.0)};
 }
 
+glm::dvec3 ray_through(const View& view, const glm::dvec2& p) {
+    const glm::dvec2 from_centre = p - glm::dvec2(view.viewport.width, view.viewport.height) / 2.0;
+    return {from_centre.x / view.focal_px, -from_centre.y / view.focal_px, -1};
+}
+
 }  // namespace shade16::reference

@@ -34,4 +34,7 @@ struct ScreenPoint {
 };
 ScreenPoint project(const View& view, const glm::dvec3& position_view);
 
+/// The direction in view coordinates in which a pixel's position is seen in perspective.
+glm::dvec3 ray_through(const View& view, const glm::dvec2& position_px);
+
 }  // namespace shade16::reference

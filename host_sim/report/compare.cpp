@@ -49,6 +49,53 @@ glm::dvec3 stepping_bound(bool packed) {
     return codes * levels_of_full_scale / glm::dvec3(31, 63, 31);
 }
 
+/// Weights on the screen as weights before projection.
+glm::dvec3 weights_in_space(const reference::Scene& scene, const Frame& frame, Viewport viewport, uint32_t o, const shade16::Triangle& t, const glm::dvec3& w) {
+    const reference::FrameValues values(scene.values, frame);
+    const reference::View view = reference::make_view(values.camera, viewport);
+    const auto depth = [&](uint32_t corner) {
+        return -reference::to_view(view, reference::to_world(values.pose(scene.values, o), scene.meshes[o].positions[corner])).z;
+    };
+    return w / glm::dvec3(depth(t.a), depth(t.b), depth(t.c));
+}
+
+/// The largest error of texture coordinates, in texels of the larger side.
+double texel_error(const Object& object, Viewport viewport) {
+    int log2 = 0;
+    if (detail::has_texture(object)) log2 = std::max<int>(object.material.texture->width_log2, object.material.texture->height_log2);
+    if (detail::has_bump(object)) log2 = std::max({log2, int{object.material.bump->width_log2}, int{object.material.bump->height_log2}});
+    const bool perspective = object.material.mapping == Mapping::perspective;
+    const int error_log2 = perspective ? perspective_coordinates_max_error_log2 : affine_coordinates_max_error_log2;
+    return std::ldexp(std::max(1.0, std::max(viewport.width, viewport.height) / 256.0), log2 + 15 - object.mesh.texcoord_bits + error_log2);
+}
+
+/// A pixel with light of its own: right if it is right for some place that is no farther off than coordinates may be.
+void judge_pixel(Comparison& result, const glm::dvec3& shown, const reference::Scene& scene, const Frame& frame, uint32_t o, uint32_t f,
+                 const reference::FacePoint& point, Viewport viewport, const PromisedLevels& promise) {
+    const Object& object = scene.values.objects[o];
+    const auto verdict_at = [&](const glm::dvec2& shift) {
+        reference::FacePoint shifted = point;
+        shifted.texel_shift = shift;
+        return judge(shown, reference::light_surface(scene, frame, o, f, shifted), object.material, promise);
+    };
+    Verdict best = verdict_at({});
+    if (detail::has_texture(object) || detail::has_bump(object)) {
+        const Verdict exact = best;
+        const double e = texel_error(object, viewport);
+        double spread = 0;  // between texels colours run linearly: an error of place is one of colour
+        for (const glm::dvec2& shift : {glm::dvec2(-e, -e), glm::dvec2(e, -e), glm::dvec2(-e, e), glm::dvec2(e, e)}) {
+            const Verdict other = verdict_at(shift);
+            spread = std::max(spread, largest(levels(other.reference - exact.reference)));
+            if (other.error_levels < best.error_levels) best = other;
+        }
+        if (object.material.filter == Filter::bilinear) best = exact, best.bound_levels += spread;
+        else if (exact.holds()) best = exact;
+        ++result.textured_pixels;
+        result.other_texel += !exact.holds() && best.holds();
+    }
+    result.pixels.add(best.error_levels, best.bound_levels);
+}
+
 template <PrecisionTier Tier>
 void compare_pixels(Comparison& result, RuntimeRenderer<Tier>& renderer, const std::vector<std::vector<Verdict>>& verdicts,
                     const std::vector<FaceId>& winners, const reference::Scene& scene, const Frame& frame, Viewport viewport) {
@@ -77,10 +124,9 @@ void compare_pixels(Comparison& result, RuntimeRenderer<Tier>& renderer, const s
         }
         const auto width = static_cast<std::size_t>(viewport.width);
         const glm::dvec3 w = reference::barycentric(corner, {double(i % width) + 0.5, double(i / width) + 0.5});
-        if (detail::is_phong(object.material)) {  // no stepping of colours: the light itself, at this very point
-            const Verdict at_pixel = judge(value(pixels[i]), reference::light_surface(scene, frame, o, f, {w, corner}), object.material,
-                                           promised<Tier>(ScreenVertex<Tier>::channel_bits));
-            result.pixels.add(at_pixel.error_levels, at_pixel.bound_levels);
+        if (reference::is_by_pixel(object)) {  // no stepping of colours: the light itself, at this very point
+            const reference::FacePoint point{w, corner, weights_in_space(scene, frame, viewport, o, t, w), {}};
+            judge_pixel(result, value(pixels[i]), scene, frame, o, f, point, viewport, promised<Tier>(ScreenVertex<Tier>::channel_bits));
             continue;
         }
         const glm::dvec3 expected = w.x * verdict[0]->reference + w.y * verdict[1]->reference + w.z * verdict[2]->reference;

@@ -26,6 +26,8 @@ struct Comparison {
     double promise_to_128 = 0, promise_to_1000 = 0;
     ErrorFigures vertices{}, pixels{};
     std::size_t beside_gate = 0;     // vertices where either side of the step at N.L = 0 was accepted
+    std::size_t textured_pixels = 0;
+    std::size_t other_texel = 0;     // textured pixels that show a neighbour of the exact texel
     std::size_t clipped_pixels = 0;  // of clipped triangles: not among `pixels`
     ErrorFigures picture{};          // bound 0: reported only
     std::size_t covered_by_one = 0, covered_by_both = 0;

@@ -14,7 +14,7 @@ inline std::size_t mesh_bytes(const Scene& scene) {
         for (uint32_t j = 0; j < i; ++j) is_shared |= scene.objects[j].mesh.positions.first == m.positions.first;
         if (is_shared) continue;
         sum += m.positions.count * sizeof(Position16) + m.normals.count * sizeof(Normal14) +
-               m.colors.count * sizeof(Rgb) + m.triangles.count * sizeof(Triangle);
+               m.colors.count * sizeof(Rgb) + m.texcoords.count * sizeof(TexCoord16) + m.triangles.count * sizeof(Triangle);
     }
     return sum;
 }
@@ -43,6 +43,7 @@ std::size_t workspace_bytes(const Scene& scene, VertexStore store, uint32_t slot
     return at_least_one(scene.objects.count) * sizeof(ObjectState<Tier>) +
            at_least_one(scene.objects.count * scene.lights.count) * sizeof(ObjectLight<Tier>) +
            vertices * sizeof(ScreenVertex<Tier>) + faces * sizeof(FaceColor<Tier>) +
+           (keeps ? detail::split_light_count(scene) : 0) * sizeof(SplitLight) +
            (keeps ? 1 : slots) * sizeof(uint32_t);
 }
 

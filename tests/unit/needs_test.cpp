@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <iterator>
-
+#include "host_sim/report/terms.hpp"
 #include "shade16/scene/shapes.hpp"
 
 namespace shade16 {
@@ -110,17 +109,12 @@ TEST(Needs, OfAnUnlitObjectLightsDoNotCount) {
     EXPECT_EQ(needs_with({.specular = white, .emissive = white, .unlit = true}, point_light({0, 0, 1})), (Needs{.orthographic = true, .unlit = true, .gouraud = true}));
 }
 
-constexpr bool Needs::*terms[] = {&Needs::perspective, &Needs::orthographic, &Needs::depth,       &Needs::lit,   &Needs::unlit,
-                                  &Needs::flat,        &Needs::gouraud,      &Needs::phong, &Needs::spherical,      &Needs::vertex_colors, &Needs::ambient, &Needs::diffuse,
-                                  &Needs::specular,    &Needs::directional,  &Needs::point,       &Needs::attenuation, &Needs::local_viewer,
-                                  &Needs::stretch};
-
 TEST(Needs, TheUnionHasTheTermsOfBoth) {
-    static_assert(sizeof(Needs) == std::size(terms), "a new need belongs into this list");
-    for (bool Needs::*a : terms)
-        for (bool Needs::*b : terms) {
+    static_assert(host::every_term_has_a_name);
+    for (const host::Term& a : host::terms)
+        for (const host::Term& b : host::terms) {
             Needs left{}, right{}, both{};
-            left.*a = right.*b = both.*a = both.*b = true;
+            left.*a.is_needed = right.*b.is_needed = both.*a.is_needed = both.*b.is_needed = true;
             EXPECT_EQ(left | right, both);
             EXPECT_EQ(left | right, right | left);
         }
@@ -128,16 +122,16 @@ TEST(Needs, TheUnionHasTheTermsOfBoth) {
 }
 
 TEST(Needs, CoversIsContainment) {
-    for (bool Needs::*term : terms) {
+    for (const host::Term& term : host::terms) {
         Needs one{}, without = all_needs;
-        one.*term = true, without.*term = false;
+        one.*term.is_needed = true, without.*term.is_needed = false;
         EXPECT_TRUE(covers(all_needs, one));
         EXPECT_TRUE(covers(one, one));
         EXPECT_TRUE(covers(one, Needs{}));
         EXPECT_FALSE(covers(Needs{}, one));
         EXPECT_FALSE(covers(without, one));
         EXPECT_FALSE(covers(without, all_needs));
-        EXPECT_TRUE(all_needs.*term);
+        EXPECT_TRUE(all_needs.*term.is_needed);
     }
 }
 

@@ -27,6 +27,14 @@ struct Rgb {
     friend constexpr bool operator==(Rgb, Rgb) = default;
 };
 
+/// A colour as a factor: Q32, at most 2^-32 low.
+struct ColorFactor {
+    uint32_t r = 0, g = 0, b = 0;
+    constexpr ColorFactor() = default;
+    constexpr ColorFactor(uint32_t red, uint32_t green, uint32_t blue) : r(red), g(green), b(blue) {}
+    constexpr ColorFactor(Rgb c) : r(c.r.widened()), g(c.g.widened()), b(c.b.widened()) {}
+};
+
 inline constexpr Rgb black{};
 inline constexpr Rgb white{{Unorm16::one}, {Unorm16::one}, {Unorm16::one}};
 

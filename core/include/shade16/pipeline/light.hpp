@@ -110,23 +110,32 @@ SHADE16_ONCE constexpr Scaled attenuation_along(const LatticeAttenuation& a, IVe
     return a.at(Scaled::normalized(squared, 2 * (coarser - count_log2)));
 }
 
-SHADE16_INLINE constexpr void modulate(Accumulator& sum, const Rgb& c) {
-    sum.r = mulhi(sum.r, c.r.widened()), sum.g = mulhi(sum.g, c.g.widened()), sum.b = mulhi(sum.b, c.b.widened());
+SHADE16_INLINE constexpr void modulate(Accumulator& sum, const ColorFactor& c) {
+    sum.r = mulhi(sum.r, c.r), sum.g = mulhi(sum.g, c.g), sum.b = mulhi(sum.b, c.b);
 }
+SHADE16_INLINE constexpr void accumulate(Accumulator& sum, const Accumulator& more) {
+    shade16::accumulate(sum.r, more.r);
+    shade16::accumulate(sum.g, more.g);
+    shade16::accumulate(sum.b, more.b);
+}
+
+SHADE16_INLINE constexpr ColorFactor product(const ColorFactor& a, const ColorFactor& b) { return {mulhi(a.r, b.r), mulhi(a.g, b.g), mulhi(a.b, b.b)}; }
+
+/// Vertex colours and textures are a factor of ambient and diffuse light, but not of specular light.
+constexpr bool has_factors(Needs n) { return n.vertex_colors || n.texture; }
 }  // namespace detail
 
-/// The lit colour of a point.
-/// Range   any position on the lattice, any unit normal (a zero one gives no diffuse and no specular light).
-/// Error   Tier::promise for each light arriving at intensity 1, added up, under the conditions stated there.
-/// Cost    for each light a dot, a chord, two table reads and eight multiplies; a point light or a local viewer adds a
-///         normalisation, attenuation a square root and a reciprocal.
-/// Source  Blinn, Models of Light Reflection for Computer Synthesized Pictures, 1977.
+/// A point's light in two sums, before any factor.
+struct SplitLight {
+    Accumulator body{};   // ambient, emissive and diffuse: what vertex colours and textures multiply
+    Accumulator shine{};  // specular
+};
+
+/// Adds the light of every lamp at a point: diffuse to `sum`, specular to `shine`, which may be the same.
 template <Needs N, PrecisionTier Tier>
-SHADE16_INLINE constexpr Accumulator light_point(const ObjectLighting<Tier>& object, View<ObjectLight<Tier>> lights,
-                                  const Shininess<Tier>* shininess, const SurfacePoint& position, UnitVector<Tier> normal, const Rgb* color) {
+SHADE16_INLINE constexpr void add_lights(Accumulator& sum, Accumulator& shine, const ObjectLighting<Tier>& object, View<ObjectLight<Tier>> lights,
+                                         const Shininess<Tier>* shininess, const SurfacePoint& position, UnitVector<Tier> normal) {
     constexpr bool wide = Arithmetic<Tier>::wide;
-    Accumulator sum = object.base, apart{};
-    Accumulator& shine = N.vertex_colors ? apart : sum;  // vertex colours are a factor of the rest alone
     const bool stretched = N.stretch && object.stretch.differs;
 
     UnitVector<Tier> view = object.view;
@@ -165,14 +174,35 @@ SHADE16_INLINE constexpr Accumulator light_point(const ObjectLighting<Tier>& obj
             if (power != 0) detail::add_term<wide>(shine, light.specular, power, fading.exponent);
         }
     }
-    if constexpr (N.vertex_colors)
-        if (color != nullptr) detail::modulate(sum, *color);
-    if constexpr (N.vertex_colors && N.specular) {
-        accumulate(sum.r, shine.r);
-        accumulate(sum.g, shine.g);
-        accumulate(sum.b, shine.b);
+}
+
+/// The lit colour of a point.
+/// Range   any position on the lattice, any unit normal (a zero one gives no diffuse and no specular light).
+/// Error   Tier::promise for each light arriving at intensity 1, added up, under the conditions stated there.
+/// Cost    for each light a dot, a chord, two table reads and eight multiplies; a point light or a local viewer adds a
+///         normalisation, attenuation a square root and a reciprocal.
+/// Source  Blinn, Models of Light Reflection for Computer Synthesized Pictures, 1977.
+template <Needs N, PrecisionTier Tier>
+SHADE16_INLINE constexpr Accumulator light_point(const ObjectLighting<Tier>& object, View<ObjectLight<Tier>> lights, const Shininess<Tier>* shininess,
+                                                 const SurfacePoint& position, UnitVector<Tier> normal, const ColorFactor* factor) {
+    Accumulator sum = object.base, apart{};
+    add_lights<N>(sum, detail::has_factors(N) ? apart : sum, object, lights, shininess, position, normal);
+    if constexpr (detail::has_factors(N)) {
+        if (factor != nullptr) detail::modulate(sum, *factor);
+        if constexpr (N.specular) detail::accumulate(sum, apart);
     }
     return sum;
+}
+
+/// The same light before any factor, for surfaces whose texture comes pixel by pixel.
+template <Needs N, PrecisionTier Tier>
+constexpr SplitLight split_light_point(const ObjectLighting<Tier>& object, View<ObjectLight<Tier>> lights, const Shininess<Tier>* shininess,
+                                       const SurfacePoint& position, UnitVector<Tier> normal, const ColorFactor* factor) {
+    SplitLight light{object.base, {}};
+    add_lights<N>(light.body, light.shine, object, lights, shininess, position, normal);
+    if constexpr (N.vertex_colors)
+        if (factor != nullptr) detail::modulate(light.body, *factor);
+    return light;
 }
 
 /// A stored normal as the tier lights it: as it is in the 16-bit tiers, renormalised in highp and under a stretch.

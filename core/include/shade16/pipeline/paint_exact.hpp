@@ -41,6 +41,12 @@ SHADE16_INLINE constexpr typename Format::Pixel pixel_from_q24(uint32_t r, uint3
     if constexpr (requires { Format::from_q24(r, g, b); }) return Format::from_q24(r, g, b);
     else return Format::pack(r >> 24, g >> 24, b >> 24);
 }
+/// A pixel's own light, saturated and rounded.
+template <PixelFormat Format>
+SHADE16_INLINE constexpr typename Format::Pixel pixel_of_light(const Accumulator& sum) {
+    const auto code = [](uint32_t c, int bits) { return min(c, Accumulator::one) * ((uint32_t{1} << bits) - 1) + (uint32_t{1} << 23); };
+    return pixel_from_q24<Format>(code(sum.r, Format::red_bits), code(sum.g, Format::green_bits), code(sum.b, Format::blue_bits));
+}
 }  // namespace detail
 
 template <PixelFormat Format, bool Depth>

@@ -103,7 +103,7 @@ constexpr IVec3 q29_from_q30(const IVec3& n) { return {n.x >> 1, n.y >> 1, n.z >
 template <Needs N, PixelFormat Format, bool Depth, PrecisionTier Tier>
 class SphericalPainter {
 public:
-    constexpr SphericalPainter(const TriangleSetup<Tier>& t, const SurfaceSample (&corner)[3], const SurfacePlanes<N>& surface, const DepthPlane& depth,
+    constexpr SphericalPainter(const TriangleSetup<Tier>& t, const SurfaceSample (&corner)[3], const SamplePlanes<SurfaceKind<N>>& surface, const DepthPlane& depth,
                                const PixelLight<N, Tier>& light)
         : rows_(t, corner), surface_(surface), depth_(depth), light_(light) {}
 
@@ -127,7 +127,7 @@ public:
 
 private:
     SphericalRows rows_;
-    SurfacePlanes<N> surface_;
+    SamplePlanes<SurfaceKind<N>> surface_;
     DepthPlane depth_;
     const PixelLight<N, Tier>& light_;
 };
@@ -145,7 +145,7 @@ public:
         for (; count > 0; --count, ++column, ++pixel) {
             const BarycentricWeights w = weights_.at(column);
             if (!Depth || nearer<true>(stored, weights_.depth(w))) {
-                SurfaceSample s = mix<N>(corner_, w.a(), static_cast<uint32_t>(w.b), static_cast<uint32_t>(w.c), 30);
+                SurfaceSample s = mix<SurfaceKind<N>>(corner_, w.a(), static_cast<uint32_t>(w.b), static_cast<uint32_t>(w.c), 30);
                 s.normal = detail::q29_from_q30(normals.at(rows_.centre(column)));
                 *pixel = light_.template pixel<Format>(s);
             }

@@ -32,15 +32,17 @@ public:
         if constexpr (!N.perspective) camera.projection = Projection::orthographic;
         const View<Light> lights(frame.lights != nullptr ? frame.lights : scene.lights.first, scene.lights.count);
         const View3 view = make_view(camera, viewport);
-        uint32_t first_vertex = 0, first_face = 0;
+        uint32_t first_vertex = 0, first_face = 0, first_split = 0;
         for (uint32_t i = 0; i < scene.objects.count; ++i) {
             const Object& object = scene.objects[i];
             const Pose& pose = frame.poses != nullptr ? frame.poses[i] : object.pose;
             ObjectState<Tier>& state = work_.objects[i];
-            state.first_vertex = first_vertex, state.first_face = first_face;
+            state.first_vertex = first_vertex, state.first_face = first_face, state.first_split = first_split;
             begin_object(state, object, pose, camera, view, lights, i);
             first_vertex += object.mesh.positions.count;
             if (detail::is_flat(object.material)) first_face += object.mesh.triangles.count;
+            if constexpr (N.texture)
+                if (detail::keeps_split_light(object)) first_split += object.mesh.positions.count;
         }
     }
 
@@ -123,38 +125,81 @@ private:
     constexpr View<ObjectLight<Tier>> lights_of(const ObjectState<Tier>& state) const {
         return {work_.lights + state.first_light, state.lights};
     }
-    static constexpr const Rgb* color_of(const Mesh& mesh, uint32_t index) { return mesh.colors.empty() ? nullptr : &mesh.colors[index]; }
+    /// The vertex colour, if there is one.
+    struct VertexFactor {
+        ColorFactor factor{};
+        bool is_given = false;
+
+        constexpr VertexFactor(const Mesh& mesh, uint32_t index) {
+            if constexpr (N.vertex_colors)
+                if (!mesh.colors.empty()) factor = mesh.colors[index], is_given = true;
+        }
+        constexpr VertexFactor(const Mesh& mesh, const Triangle& t) {
+            if constexpr (N.vertex_colors)
+                if (!mesh.colors.empty()) factor = mean_color(mesh.colors[t.a], mesh.colors[t.b], mesh.colors[t.c]), is_given = true;
+        }
+        constexpr const ColorFactor* get() const { return N.vertex_colors && is_given ? &factor : nullptr; }
+    };
 
     [[gnu::noinline]] constexpr void light_vertex(const Object& object, const ObjectState<Tier>& state, uint32_t index, Vertex& v) {
         if (v.flags & is_lit) return;
-        const Rgb* const color = color_of(object.mesh, index);
+        if constexpr (N.texture)
+            if (detail::keeps_split_light(object)) return keep_split_light(object, state, index, v);
+        const VertexFactor factor(object.mesh, index);
         if (N.unlit && (!N.lit || object.material.unlit)) {
             Accumulator sum = state.lighting.base;
             if constexpr (N.vertex_colors)
-                if (color != nullptr) detail::modulate(sum, *color);
+                if (factor.get() != nullptr) detail::modulate(sum, *factor.get());
             v.set_color(sum);
         } else {
             const Position16 p = object.mesh.positions[index];
-            const UnitVector<Tier> normal =
-                object.mesh.normals.empty() ? UnitVector<Tier>{} : lighting_normal<N>(state.lighting, object.mesh.normals[index]);
-            v.set_color(light_point<N>(state.lighting, lights_of(state), state.shininess, {raw(p), 1}, normal, color));
+            v.set_color(light_point<N>(state.lighting, lights_of(state), state.shininess, {raw(p), 1}, normal_of(object, state, index), factor.get()));
         }
         if constexpr (Store == VertexStore::replay) keep_replayed(index, v);
+    }
+    static constexpr UnitVector<Tier> normal_of(const Object& object, const ObjectState<Tier>& state, uint32_t index) {
+        return object.mesh.normals.empty() ? UnitVector<Tier>{} : lighting_normal<N>(state.lighting, object.mesh.normals[index]);
+    }
+
+    /// A textured vertex's light, of which the texture is a factor later.
+    constexpr SplitLight split_light(const Object& object, const ObjectState<Tier>& state, uint32_t index) {
+        const VertexFactor factor(object.mesh, index);
+        const View<ObjectLight<Tier>> lights = object.material.unlit ? View<ObjectLight<Tier>>{} : lights_of(state);
+        return split_light_point<N>(state.lighting, lights, state.shininess, {raw(object.mesh.positions[index]), 1}, normal_of(object, state, index), factor.get());
+    }
+    constexpr void keep_split_light(const Object& object, const ObjectState<Tier>& state, uint32_t index, Vertex& v) {
+        const SplitLight light = split_light(object, state, index);
+        if constexpr (Store == VertexStore::keep) work_.split[state.first_split + index] = light;
+        Accumulator sum = light.body;
+        detail::accumulate(sum, light.shine);
+        v.set_color(sum);
+        if constexpr (Store == VertexStore::replay) keep_replayed(index, v);
+    }
+    constexpr LitSample lit_sample_at(const Object& object, const ObjectState<Tier>& state, uint32_t index, Vertex& v) {
+        const TextureSample at = texture_sample_at(object.mesh, index);
+        if constexpr (Store == VertexStore::replay) return lit_sample(split_light(object, state, index), at);
+        light_vertex(object, state, index, v);
+        return lit_sample(work_.split[state.first_split + index], at);
     }
 
     constexpr FaceColor<Tier> light_face(const Object& object, const ObjectState<Tier>& state, uint32_t face) {
         if (Store == VertexStore::keep && work_.faces[state.first_face + face].is_known) return work_.faces[state.first_face + face];
         const Triangle t = object.mesh.triangles[face];
         const auto& p = object.mesh.positions;
-        const auto& c = object.mesh.colors;
-        Rgb mean{};
-        if (!c.empty()) mean = mean_color(c[t.a], c[t.b], c[t.c]);
+        const VertexFactor factor(object.mesh, t);
         Vertex lit;
         lit.set_color(light_point<N>(state.lighting, lights_of(state), state.shininess, face_centre(p[t.a], p[t.b], p[t.c]),
-                                     lighting_face_normal<N>(state.lighting, p[t.a], p[t.b], p[t.c]), c.empty() ? nullptr : &mean));
+                                     lighting_face_normal<N>(state.lighting, p[t.a], p[t.b], p[t.c]), factor.get()));
         const FaceColor<Tier> color{lit.r, lit.g, lit.b, 1};
         if (Store == VertexStore::keep) work_.faces[state.first_face + face] = color;
         return color;
+    }
+    constexpr SplitLight split_face_light(const Object& object, const ObjectState<Tier>& state, uint32_t face) {
+        const Triangle t = object.mesh.triangles[face];
+        const auto& p = object.mesh.positions;
+        const VertexFactor factor(object.mesh, t);
+        return split_light_point<N>(state.lighting, lights_of(state), state.shininess, face_centre(p[t.a], p[t.b], p[t.c]),
+                                    lighting_face_normal<N>(state.lighting, p[t.a], p[t.b], p[t.c]), factor.get());
     }
 
     struct Corners {
@@ -211,12 +256,8 @@ private:
     [[gnu::noinline]] constexpr void draw_facing(const Band<Format>& band, const Object& object, const ObjectState<Tier>& state, uint32_t face, Corners v) {
         FacingTriangle<Tier> triangle(*v.a, *v.b, *v.c, centre(), band.first_row, band.rows);
         if (!triangle.shows(viewport_.width)) return;
-        if constexpr (N.phong)
-            if (is_phong(object.material)) {
-                SurfaceSample surface[3];
-                surface_of(object, state, face, surface);
-                return paint_phong(triangle, surface, object, state, band);
-            }
+        if constexpr (N.phong || N.texture)
+            if (is_by_pixel(object)) return draw_by_pixel(band, triangle, object, state, face, v);
         FlatCorners flat;
         const Corners colored = color_corners(object, state, face, v, flat);
         if constexpr (N.flat) triangle.a = colored.a, triangle.b = colored.b, triangle.c = colored.c;
@@ -224,17 +265,75 @@ private:
     }
 
     static constexpr bool is_phong(const Material& m) { return N.phong && (!(N.flat || N.gouraud) || detail::is_phong(m)); }
-    static constexpr void surface_of(const Object& object, const ObjectState<Tier>& state, uint32_t face, SurfaceSample (&out)[3]) {
+    /// Its pixels are made one by one, from samples.
+    static constexpr bool is_by_pixel(const Object& o) { return is_phong(o.material) || (N.texture && detail::has_texture(o)); }
+
+    /// What samples the object's face and what makes pixels of them: `use(samples at the corners, light)`.
+    template <class Use>
+    SHADE16_INLINE constexpr void with_samples(const Object& object, const ObjectState<Tier>& state, uint32_t face, Corners v, Use use) {
         const Triangle t = object.mesh.triangles[face];
-        out[0] = surface_at<N>(object.mesh, state.lighting, t.a);
-        out[1] = surface_at<N>(object.mesh, state.lighting, t.b);
-        out[2] = surface_at<N>(object.mesh, state.lighting, t.c);
+        TextureLookup maps;
+        if constexpr (detail::looks_up(N)) maps = TextureLookup(object, state.transform.template is_perspective<N>());
+        if constexpr (N.phong)
+            if (is_phong(object.material)) {
+                const SurfaceSample at[3] = {surface_at<N>(object.mesh, state.lighting, t.a), surface_at<N>(object.mesh, state.lighting, t.b),
+                                             surface_at<N>(object.mesh, state.lighting, t.c)};
+                PixelLight<N, Tier> light{state.lighting, lights_of(state), state.shininess, !object.mesh.colors.empty(), maps, {}};
+                if constexpr (N.bump)
+                    if (maps.bump != nullptr) light.tangents = face_tangents<N>(object.mesh, t, state.lighting.stretch);
+                return use(at, light);
+            }
+        if constexpr (N.texture) {
+            LitSample at[3];
+            if (N.flat && detail::is_flat(object.material)) {
+                const SplitLight light = split_face_light(object, state, face);
+                at[0] = lit_sample(light, texture_sample_at(object.mesh, t.a));
+                at[1] = lit_sample(light, texture_sample_at(object.mesh, t.b));
+                at[2] = lit_sample(light, texture_sample_at(object.mesh, t.c));
+            } else {
+                at[0] = lit_sample_at(object, state, t.a, *v.a), at[1] = lit_sample_at(object, state, t.b, *v.b), at[2] = lit_sample_at(object, state, t.c, *v.c);
+            }
+            use(at, TexturedLight<N>{maps});
+        }
     }
+
+    /// Texture coordinates become linear on the screen; w are the corners' depths.
+    template <class Sample>
+    static constexpr void map_by_depth([[maybe_unused]] Sample (&sample)[3], [[maybe_unused]] const TextureLookup& maps, [[maybe_unused]] const int32_t (&w)[3]) {
+        if constexpr (detail::looks_up(N) && N.perspective_texture)
+            if (maps.by_depth) {
+                TextureSample at[3] = {sample[0].at, sample[1].at, sample[2].at};
+                detail::divide_by_depth(at, w);
+                for (int i = 0; i < 3; ++i) sample[i].at = at[i];
+            }
+    }
+
     template <PixelFormat Format>
-    constexpr void paint_phong(const FacingTriangle<Tier>& triangle, const SurfaceSample (&surface)[3], const Object& object, const ObjectState<Tier>& state,
-                               const Band<Format>& band) {
-        draw_phong(triangle, surface, PixelLight<N, Tier>{state.lighting, lights_of(state), state.shininess, !object.mesh.colors.empty()},
-                   object.material.normal_path, band);
+    [[gnu::noinline]] constexpr void draw_by_pixel(const Band<Format>& band, const FacingTriangle<Tier>& triangle, const Object& object,
+                                                   const ObjectState<Tier>& state, uint32_t face, Corners v) {
+        with_samples(object, state, face, v, [&]<class Sample, class Light>(const Sample (&corner)[3], const Light& light) {
+            const Triangle t = object.mesh.triangles[face];
+            auto samples = copied(corner);
+            if constexpr (detail::looks_up(N) && N.perspective_texture) {
+                const auto depth = [&](uint16_t index) { return detail::row_dot(state.transform.row[2], object.mesh.positions[index], state.transform.offset[2]); };
+                map_by_depth(samples.corner, light.maps, {depth(t.a), depth(t.b), depth(t.c)});
+            }
+            paint_samples(triangle, samples.corner, light, object, band);
+        });
+    }
+    template <class Sample>
+    struct SampleCorners {
+        Sample corner[3];
+    };
+    template <class Sample>
+    static constexpr SampleCorners<Sample> copied(const Sample (&corner)[3]) { return {{corner[0], corner[1], corner[2]}}; }
+
+    template <class Sample, class Light, PixelFormat Format>
+    static constexpr void paint_samples(const FacingTriangle<Tier>& triangle, const Sample (&corner)[3], const Light& light,
+                                        [[maybe_unused]] const Object& object, const Band<Format>& band) {
+        if constexpr (N.spherical && requires { light.tangents; })
+            if (object.material.normal_path == NormalPath::spherical) return draw_spherical(triangle, corner, light, band);
+        draw_samples<N.depth>(triangle, corner, light, band);
     }
 
     constexpr RasterPoint centre() const { return {viewport_.width * 8, viewport_.height * 8}; }
@@ -242,47 +341,51 @@ private:
     template <PixelFormat Format>
     [[gnu::noinline]] constexpr void draw_clipped(const Band<Format>& band, const Object& object, const ObjectState<Tier>& state, uint32_t face,
                                                   Corners v) {
-        if (!draw_fan<false>(band, object, state, face, v)) return;
+        const bool by_pixel = is_by_pixel(object);
+        bool shows = false;
+        for_each_of_fan(band, object, state, face, v, by_pixel, [&](const FacingTriangle<Tier>&, const ClipPolygon<Tier>&, int) { shows = true; });
+        if (!shows) return;
+        if constexpr (N.phong || N.texture)
+            if (by_pixel) return draw_fan_by_pixel(band, object, state, face, v);
         FlatCorners flat;
-        draw_fan<true>(band, object, state, face, is_phong(object.material) ? v : color_corners(object, state, face, v, flat));
+        const Corners colored = color_corners(object, state, face, v, flat);
+        for_each_of_fan(band, object, state, face, colored, false, [&](const FacingTriangle<Tier>& triangle, const ClipPolygon<Tier>&, int) {
+            draw_triangle<Tier::stepping, N.depth>(triangle, band);
+        });
+    }
+    template <PixelFormat Format>
+    constexpr void draw_fan_by_pixel(const Band<Format>& band, const Object& object, const ObjectState<Tier>& state, uint32_t face, Corners v) {
+        with_samples(object, state, face, v, [&]<class Sample, class Light>(const Sample (&corner)[3], const Light& light) {
+            using Kind = typename Light::Kind;
+            for_each_of_fan(band, object, state, face, v, true, [&](const FacingTriangle<Tier>& triangle, const ClipPolygon<Tier>& polygon, int i) {
+                const auto at = [&](const Vertex& w) { return mix<Kind>(corner, w.r, w.g, w.b, Vertex::channel_bits); };
+                SampleCorners<typename Kind::Sample> samples{{at(*triangle.a), at(*triangle.b), at(*triangle.c)}};
+                map_by_depth(samples.corner, light.maps,
+                             {polygon.corner[0].position.w, polygon.corner[i].position.w, polygon.corner[i + 1].position.w});
+                paint_samples(triangle, samples.corner, light, object, band);
+            });
+        });
     }
 
-    template <bool Paint, PixelFormat Format>
-    constexpr bool draw_fan(const Band<Format>& band, const Object& object, const ObjectState<Tier>& state, uint32_t face, Corners v) {
-        const bool by_pixel = is_phong(object.material);
-        ClipPolygon<Tier> polygon = polygon_of(object, state, face, v, by_pixel);
-        polygon = clip(state.transform, polygon);
-        SurfaceSample surface[N.phong ? 3 : 1];
-        if constexpr (N.phong && Paint)
-            if (by_pixel) surface_of(object, state, face, surface);
-
-        Vertex fan[3];
+    /// `use(triangle, polygon, i)` for each triangle of the clipped fan that shows: corners 0, i and i + 1 of the polygon.
+    template <PixelFormat Format, class Use>
+    constexpr void for_each_of_fan(const Band<Format>& band, const Object& object, const ObjectState<Tier>& state, uint32_t face, Corners v, bool by_pixel,
+                                   Use use) {
+        const ClipPolygon<Tier> polygon = clip(state.transform, polygon_of(object, state, face, v, by_pixel));
         const auto corner = [&](int i) {
             Vertex out;
             project(state.transform, polygon.corner[i].position, out);
             out.r = polygon.corner[i].r, out.g = polygon.corner[i].g, out.b = polygon.corner[i].b;
             return out;
         };
-        bool shows = false;
         for (int i = 1; i + 1 < polygon.count; ++i) {
-            fan[0] = corner(0), fan[1] = corner(i), fan[2] = corner(i + 1);
+            const Vertex fan[3] = {corner(0), corner(i), corner(i + 1)};
             const FacingTriangle<Tier> triangle(fan[0], fan[1], fan[2], centre(), band.first_row, band.rows);
-            if (doubled_area(fan[0], fan[1], fan[2]) >= 0 || !triangle.shows(viewport_.width)) continue;
-            shows = true;
-            if constexpr (!Paint) continue;
-            if constexpr (N.phong)
-                if (by_pixel) {
-                    const auto at = [&](const Vertex& w) { return mix<N>(surface, w.r, w.g, w.b, Vertex::channel_bits); };
-                    const SurfaceSample corners[3] = {at(fan[0]), at(fan[1]), at(fan[2])};
-                    paint_phong(triangle, corners, object, state, band);
-                    continue;
-                }
-            draw_triangle<Tier::stepping, N.depth>(triangle, band);
+            if (doubled_area(fan[0], fan[1], fan[2]) < 0 && triangle.shows(viewport_.width)) use(triangle, polygon, i);
         }
-        return shows;
     }
 
-    /// A triangle to be clipped. With Phong shading the channels are not colours but the corners' own weights.
+    /// A triangle to be clipped. Pixel by pixel the channels are not colours but the corners' own weights.
     constexpr ClipPolygon<Tier> polygon_of(const Object& object, const ObjectState<Tier>& state, uint32_t face, Corners v, bool by_pixel) {
         const Triangle t = object.mesh.triangles[face];
         ClipPolygon<Tier> polygon;

@@ -4,6 +4,7 @@
 
 #include "shade16/pipeline/paint_exact.hpp"
 #include "shade16/pipeline/paint_spherical.hpp"
+#include "shade16/pipeline/paint_textured.hpp"
 #include "shade16/pipeline/small_triangle.hpp"
 
 namespace shade16 {
@@ -75,26 +76,51 @@ SHADE16_INLINE constexpr void draw_triangle(const FacingTriangle<Tier>& t, const
     raster<Step, Depth>(set_up(t), t.box(band.width), band);
 }
 
-/// Draws what shows of a triangle in the band, each pixel lit by itself; `surface` is that at its corners a, b and c.
-template <Needs N, PixelFormat Format, PrecisionTier Tier>
-[[gnu::noinline]] constexpr void draw_phong(const FacingTriangle<Tier>& triangle, const SurfaceSample (&surface)[3], const PixelLight<N, Tier>& light,
-                                            [[maybe_unused]] NormalPath path, const Band<Format>& band) {
-    const TriangleSetup<Tier> t = set_up(triangle);
+/// A triangle whose pixels are made one by one from samples, with what walking it takes.
+template <class Kind, PrecisionTier Tier>
+struct SampledTriangle {
+    using Sample = typename Kind::Sample;
+
+    TriangleSetup<Tier> setup;
+    RasterPoint from_corner;
+    Sample sample[3];  // in the order of the set-up's corners
+    DepthPlane depth;
+    SamplePlanes<Kind> planes;
+    bool is_sliver;
+
+    constexpr SampledTriangle(const FacingTriangle<Tier>& t, const Sample (&corner)[3], bool has_depth)
+        : setup(set_up(t)), from_corner(setup.to_reference()), sample{of(t, corner, 0), of(t, corner, 1), of(t, corner, 2)}, depth(setup, from_corner),
+          planes(setup, sample, from_corner), is_sliver(setup.is_sliver() || planes.is_steep || (has_depth && depth.is_steep()) || is_deep()) {}
+
+private:
+    constexpr const Sample& of(const FacingTriangle<Tier>& t, const Sample (&corner)[3], int i) const {
+        return corner[setup.corner[i] == t.a ? 0 : setup.corner[i] == t.b ? 1 : 2];
+    }
+    constexpr bool is_deep() const {
+        if constexpr (Kind::by_depth) return max(sample[0].at.q, max(sample[1].at.q, sample[2].at.q)) > 0 &&
+                                             min(sample[0].at.q, min(sample[1].at.q, sample[2].at.q)) < detail::least_stepped_q;
+        return false;
+    }
+};
+
+/// Draws what shows of a triangle in the band, each pixel made by `light` of a sample; `corner` are those at a, b and c.
+template <bool Depth, class Light, PixelFormat Format, PrecisionTier Tier>
+[[gnu::noinline]] constexpr void draw_samples(const FacingTriangle<Tier>& triangle, const typename Light::Kind::Sample (&corner)[3], const Light& light,
+                                              const Band<Format>& band) {
+    const SampledTriangle<typename Light::Kind, Tier> t(triangle, corner, Depth);
     const PixelBox box = triangle.box(band.width);
-    const RasterPoint from_corner = t.to_reference();
-    SurfaceSample sorted[3];
-    for (int i = 0; i < 3; ++i) sorted[i] = surface[t.corner[i] == triangle.a ? 0 : t.corner[i] == triangle.b ? 1 : 2];
-    const DepthPlane depth(t, from_corner);
-    const SurfacePlanes<N> planes(t, sorted, from_corner);
-    const bool is_sliver = t.is_sliver() || planes.is_steep || (N.depth && depth.is_steep());
-    const auto paint = [&](const auto& painter) { detail::walk(t, box, band, N.depth, painter); };
-    if constexpr (N.spherical)
-        if (path == NormalPath::spherical) {
-            if (is_sliver) return paint(SphericalSliverPainter<N, Format, N.depth, Tier>(t, sorted, from_corner, light));
-            return paint(SphericalPainter<N, Format, N.depth, Tier>(t, sorted, planes, depth, light));
-        }
-    if (is_sliver) return paint(PhongSliverPainter<N, Format, N.depth, Tier>(t, sorted, from_corner, light));
-    paint(PhongPainter<N, Format, N.depth, Tier>(planes, depth, light));
+    if (t.is_sliver) detail::walk(t.setup, box, band, Depth, SampleSliverPainter<Light, Format, Depth, Tier>(t.setup, t.sample, t.from_corner, light));
+    else detail::walk(t.setup, box, band, Depth, SamplePainter<Light, Format, Depth>(t.planes, t.depth, light));
+}
+
+/// The same with normals along great circles.
+template <Needs N, PixelFormat Format, PrecisionTier Tier>
+[[gnu::noinline]] constexpr void draw_spherical(const FacingTriangle<Tier>& triangle, const SurfaceSample (&corner)[3], const PixelLight<N, Tier>& light,
+                                                const Band<Format>& band) {
+    const SampledTriangle<SurfaceKind<N>, Tier> t(triangle, corner, N.depth);
+    const PixelBox box = triangle.box(band.width);
+    if (t.is_sliver) detail::walk(t.setup, box, band, N.depth, SphericalSliverPainter<N, Format, N.depth, Tier>(t.setup, t.sample, t.from_corner, light));
+    else detail::walk(t.setup, box, band, N.depth, SphericalPainter<N, Format, N.depth, Tier>(t.setup, t.sample, t.planes, t.depth, light));
 }
 
 }  // namespace shade16

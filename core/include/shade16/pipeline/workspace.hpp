@@ -16,7 +16,7 @@ struct ObjectState {
     ViewTransform transform{};
     ObjectLighting<Tier> lighting{};
     const Shininess<Tier>* shininess = nullptr;  // nullptr: no specular light
-    uint32_t first_vertex = 0, first_face = 0;
+    uint32_t first_vertex = 0, first_face = 0, first_split = 0;
     uint32_t first_light = 0, lights = 0;
     bool is_inside = false;  // every kept vertex is: nothing of the object needs clipping
 };
@@ -35,13 +35,12 @@ struct WorkspaceView {
     ObjectLight<Tier>* lights = nullptr;    // objects * lights
     ScreenVertex<Tier>* vertices = nullptr;  // all of them, or `slots`
     FaceColor<Tier>* faces = nullptr;       // one a face of a flat object; with `replay` none
+    SplitLight* split = nullptr;            // one a vertex of an object with textured Gouraud shading; with `replay` none
     uint32_t* tags = nullptr;               // with `replay`: which vertex a slot holds, plus one
     uint32_t slots = 0;                     // with `replay`: a power of two
 };
 
 namespace detail {
-constexpr bool is_flat(const Material& m) { return m.shading == Shading::flat && !m.unlit; }
-constexpr bool is_phong(const Material& m) { return m.shading == Shading::phong && !m.unlit; }
 constexpr uint32_t vertex_count(const Scene& scene) {
     uint32_t n = 0;
     for (const Object& object : scene.objects) n += object.mesh.positions.count;
@@ -53,6 +52,26 @@ constexpr uint32_t flat_face_count(const Scene& scene) {
         if (is_flat(object.material)) n += object.mesh.triangles.count;
     return n;
 }
+/// Whether its pixels are made one by one of light that was computed at its vertices.
+constexpr bool keeps_split_light(const Object& o) { return has_texture(o) && !is_phong(o.material) && !is_flat(o.material); }
+constexpr uint32_t split_light_count(const Scene& scene) {
+    uint32_t n = 0;
+    for (const Object& object : scene.objects)
+        if (keeps_split_light(object)) n += object.mesh.positions.count;
+    return n;
+}
+
+/// An array that takes no room where it is empty.
+template <class T, uint32_t N>
+struct Storage {
+    T elements[N]{};
+    constexpr T* first() { return elements; }
+};
+template <class T>
+struct Storage<T, 0> {
+    constexpr T* first() { return nullptr; }
+};
+
 constexpr uint32_t at_least_one(uint32_t n) { return n == 0 ? 1 : n; }
 }  // namespace detail
 
@@ -66,9 +85,10 @@ struct Workspace {
     ObjectLight<Tier> lights[detail::at_least_one(scene.objects.count * scene.lights.count)]{};
     ScreenVertex<Tier> vertices[keeps ? detail::at_least_one(detail::vertex_count(scene)) : Slots]{};
     FaceColor<Tier> faces[keeps ? detail::at_least_one(detail::flat_face_count(scene)) : 1]{};
+    [[no_unique_address]] detail::Storage<SplitLight, keeps ? detail::split_light_count(scene) : 0> split{};
     uint32_t tags[keeps ? 1 : Slots]{};
 
-    constexpr WorkspaceView<Tier> view() { return {objects, lights, vertices, keeps ? faces : nullptr, tags, Slots}; }
+    constexpr WorkspaceView<Tier> view() { return {objects, lights, vertices, keeps ? faces : nullptr, split.first(), tags, Slots}; }
 };
 
 }  // namespace shade16

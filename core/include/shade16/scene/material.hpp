@@ -3,6 +3,7 @@
 
 #include "shade16/num/q16.hpp"
 #include "shade16/num/unorm.hpp"
+#include "shade16/scene/texture.hpp"
 
 namespace shade16 {
 
@@ -31,10 +32,19 @@ struct Material {
     Q16 shininess = 32;  // the Blinn-Phong exponent, 1 to 1000, fractions welcome; clamped outside
     Shading shading = Shading::gouraud;
     NormalPath normal_path = NormalPath::linear;  // with Shading::phong
+    const Texture* texture = nullptr;  // a factor of ambient and diffuse light
+    const SlopeMap* bump = nullptr;    // turns the normals of Shading::phong
+    Filter filter = Filter::nearest;   // of both
+    Mapping mapping = Mapping::affine;
     bool unlit = false;  // shows its diffuse colour, or the vertex colours, whatever the light
 
     constexpr Rgb ambient_color() const { return ambient.given ? ambient.color : diffuse; }
     friend constexpr bool operator==(const Material&, const Material&) = default;
 };
+
+namespace detail {
+constexpr bool is_flat(const Material& m) { return m.shading == Shading::flat && !m.unlit; }
+constexpr bool is_phong(const Material& m) { return m.shading == Shading::phong && !m.unlit; }
+}  // namespace detail
 
 }  // namespace shade16

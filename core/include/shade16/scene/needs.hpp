@@ -17,6 +17,10 @@ struct Needs {
     bool phong = false;          // light a pixel
     bool spherical = false;      // normals along great circles
     bool vertex_colors = false;  // a factor a vertex
+    bool texture = false;        // a look-up a pixel
+    bool bilinear = false;       // four look-ups and three mixtures
+    bool perspective_texture = false;  // a reciprocal a pixel
+    bool bump = false;           // slopes looked up, and a square root more a pixel
     bool ambient = false;        // ambient or emissive light
     bool diffuse = false;
     bool specular = false;       // the half vector, the chord and the shininess tables
@@ -59,17 +63,26 @@ constexpr Needs operator|(const Needs& a, const Needs& b) {
 constexpr bool covers(Needs have, Needs want) { return (have | want) == have; }
 
 namespace detail {
+constexpr bool has_texture(const Object& o) { return o.material.texture != nullptr && !o.mesh.texcoords.empty(); }
+constexpr bool has_bump(const Object& o) {
+    return o.material.bump != nullptr && !o.mesh.texcoords.empty() && is_phong(o.material);
+}
+
 constexpr Needs needs_of(const Object& object, View<Light> lights) {
     const Material& m = object.material;
     Needs n;
     n.unlit = m.unlit;
     n.lit = !m.unlit;
-    n.flat = m.shading == Shading::flat && !m.unlit;
-    n.phong = m.shading == Shading::phong && !m.unlit;
+    n.flat = is_flat(m);
+    n.phong = is_phong(m);
     n.spherical = n.phong && m.normal_path == NormalPath::spherical;
     n.gouraud = !n.flat && !n.phong;
     n.vertex_colors = !object.mesh.colors.empty();
     n.stretch = object.pose.scale.x != object.pose.scale.y || object.pose.scale.y != object.pose.scale.z;
+    n.texture = has_texture(object);
+    n.bump = has_bump(object);
+    n.bilinear = (n.texture || n.bump) && m.filter == Filter::bilinear;
+    n.perspective_texture = (n.texture || n.bump) && m.mapping == Mapping::perspective;
     if (m.unlit) return n;
 
     n.ambient = m.emissive != black;
@@ -97,6 +110,7 @@ constexpr Needs needs_of(const Scene& scene) {
     for (const Object& object : scene.objects) n = n | detail::needs_of(object, scene.lights);
     n.perspective = scene.camera.projection == Projection::perspective;
     n.orthographic = !n.perspective;
+    n.perspective_texture &= n.perspective;
     n.local_viewer = n.specular && scene.camera.sees_locally();
     n.depth = scene.objects.count > 1 || (scene.objects.count == 1 && !scene.objects[0].mesh.convex);
     return n;
