@@ -35,7 +35,8 @@ std::vector<reference::Mesh> original_meshes(const Model& model, const BakedMode
     for (const ModelPart& part : model.parts) {
         // A part that rounding left without triangles is no object.
         if (result.size() == baked.parts.size() || part.name != baked.parts[result.size()].name) continue;
-        reference::Mesh mesh{vectors(model.positions), vectors(model.normals), vectors(model.colors), {}};
+        reference::Mesh mesh{vectors(model.positions), vectors(model.normals), vectors(model.colors), {}, {}};
+        for (const auto& at : model.texcoords) mesh.texcoords.emplace_back(at[0], at[1]);
         for (const auto& t : part.triangles) mesh.triangles.push_back({t[0], t[1], t[2]});
         result.push_back(std::move(mesh));
     }

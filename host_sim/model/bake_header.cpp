@@ -6,19 +6,20 @@
 
 #include "host_sim/model/header_text.hpp"
 #include "host_sim/model/identifier.hpp"
+#include "host_sim/model/map_texts.hpp"
 
 namespace shade16::host {
 
 namespace {
 
-std::string part_text(const BakedModel& model, const BakedPart& part, const std::string& name) {
+std::string part_text(const BakedModel& model, const BakedPart& part, const std::string& name, const MapNames& maps) {
     std::string text =
         fmt::format("\n// {}: {} vertices, {} triangles, {} bytes of flash{}.\n", name, part.positions.size(),
                     part.triangles.size(), part.flash_bytes(), part.convex ? ", convex" : "");
     text += arrays_text(part, name);
     text += fmt::format("inline constexpr shade16::Mesh {}{};\n", name, mesh_text(model, part, name, part.convex));
     return text +
-           fmt::format("inline constexpr shade16::Material {}_material{};\n", name, material_text(part.material));
+           fmt::format("inline constexpr shade16::Material {}_material{};\n", name, material_text(part.material, maps));
 }
 
 std::string preamble(const BakedModel& model, const std::string& name) {
@@ -33,14 +34,17 @@ std::string preamble(const BakedModel& model, const std::string& name) {
 }  // namespace
 
 std::string bake_header(const BakedModel& model, std::string_view name) {
-    static const std::array<std::string, 6> suffixes{"",        "_positions", "_normals",
-                                                     "_colors", "_triangles", "_material"};
+    static const std::array<std::string, 7> suffixes{"",           "_positions", "_normals", "_colors",
+                                                     "_texcoords", "_triangles", "_material"};
     const std::string stem = identifier(name);
     UniqueNames names;
+    MapTexts maps(names);
     std::string text = preamble(model, stem);
     for (const BakedPart& part : model.parts) {
         const std::string wish = model.parts.size() == 1 ? stem : stem + "_" + identifier(part.name);
-        text += part_text(model, part, names.claim(identifier(wish), suffixes));
+        const std::string part_name = names.claim(identifier(wish), suffixes);
+        const MapNames map_names = maps.names_of(part.maps, text);
+        text += part_text(model, part, part_name, map_names);
     }
     return text + "\n}  // namespace assets\n";
 }

@@ -32,12 +32,15 @@ private:
 std::string element(Position16 p) { return fmt::format("{{{}, {}, {}}}", p.x, p.y, p.z); }
 std::string element(Normal14 n) { return fmt::format("{{{{{}}}, {{{}}}, {{{}}}}}", n.x.raw, n.y.raw, n.z.raw); }
 std::string element(Rgb c) { return fmt::format("{{{{{}}}, {{{}}}, {{{}}}}}", c.r.raw, c.g.raw, c.b.raw); }
+std::string element(TexCoord16 at) { return fmt::format("{{{}, {}}}", at.s, at.t); }
+std::string element(Slope8 slope) { return fmt::format("{{{}, {}}}", slope.s, slope.t); }
+std::string element(uint16_t texel) { return fmt::format("0x{:04X}", texel); }
 std::string element(Triangle t) { return fmt::format("{{{}, {}, {}}}", t.a, t.b, t.c); }
 
 template <class T>
 std::string array(const char* type, const std::string& name, const std::vector<T>& values) {
     if (values.empty()) return {};
-    std::string text = fmt::format("inline constexpr shade16::{} {}[] = {{\n", type, name);
+    std::string text = fmt::format("inline constexpr {} {}[] = {{\n", type, name);
     Rows rows(text);
     for (const T& value : values) rows.add(element(value));
     return text + "\n};\n";
@@ -71,9 +74,9 @@ std::string literal(Rgb c) {
 }
 
 std::string arrays_text(const BakedPart& part, const std::string& stem) {
-    return array("Position16", stem + "_positions", part.positions) +
-           array("Normal14", stem + "_normals", part.normals) + array("Rgb", stem + "_colors", part.colors) +
-           array("Triangle", stem + "_triangles", part.triangles);
+    return array("shade16::Position16", stem + "_positions", part.positions) +
+           array("shade16::Normal14", stem + "_normals", part.normals) + array("shade16::Rgb", stem + "_colors", part.colors) +
+           array("shade16::TexCoord16", stem + "_texcoords", part.texcoords) + array("shade16::Triangle", stem + "_triangles", part.triangles);
 }
 
 void Fields::add(const char* key, const std::string& value, const std::string& remark) {
@@ -99,14 +102,30 @@ std::string mesh_text(const BakedModel& model, const BakedPart& part, const std:
     fields.add("positions", arrays + "_positions");
     fields.add("normals", arrays + "_normals");
     if (!part.colors.empty()) fields.add("colors", arrays + "_colors");
+    if (!part.texcoords.empty()) fields.add("texcoords", arrays + "_texcoords");
     fields.add("triangles", arrays + "_triangles");
     if (model.centre != plain.centre) fields.add("centre", literal(model.centre));
     if (model.fraction_bits != plain.fraction_bits) fields.add("fraction_bits", std::to_string(model.fraction_bits));
+    if (!part.texcoords.empty() && part.texcoord_bits != plain.texcoord_bits) fields.add("texcoord_bits", std::to_string(part.texcoord_bits));
     if (convex) fields.add("convex", "true");
     return fields.braced();
 }
 
-std::string material_text(const Material& m) {
+std::string texture_text(const TextureFile& file, const std::string& name) {
+    const Texture& t = file.texture;
+    return fmt::format("\n// {}: {}x{} texels, {} bytes of flash.\n", name, 1 << t.width_log2, 1 << t.height_log2, 2 * file.texels.size()) +
+           array("uint16_t", name + "_texels", file.texels) +
+           fmt::format("inline constexpr shade16::Texture {}{{{}_texels, {}, {}}};\n", name, name, t.width_log2, t.height_log2);
+}
+
+std::string relief_text(const ReliefFile& file, const std::string& name) {
+    const SlopeMap& m = file.map;
+    return fmt::format("\n// {}: {}x{} slopes, {} bytes of flash.\n", name, 1 << m.width_log2, 1 << m.height_log2, 2 * file.texels.size()) +
+           array("shade16::Slope8", name + "_slopes", file.texels) +
+           fmt::format("inline constexpr shade16::SlopeMap {}{{{}_slopes, {}, {}, {}}};\n", name, name, m.width_log2, m.height_log2, m.fraction_bits);
+}
+
+std::string material_text(const Material& m, const MapNames& maps) {
     const Material plain{};
     Fields fields(field_columns);
     if (m.ambient.given) fields.add("ambient", literal(m.ambient.color));
@@ -117,6 +136,11 @@ std::string material_text(const Material& m) {
     if (m.shading == Shading::flat) fields.add("shading", "shade16::Shading::flat");
     if (m.shading == Shading::phong) fields.add("shading", "shade16::Shading::phong");
     if (m.normal_path == NormalPath::spherical) fields.add("normal_path", "shade16::NormalPath::spherical");
+    if (m.texture != nullptr) fields.add("texture", "&" + maps.texture);
+    if (m.bump != nullptr) fields.add("bump", "&" + maps.bump);
+    if (m.filter == Filter::bilinear) fields.add("filter", "shade16::Filter::bilinear");
+    if (m.mapping == Mapping::perspective) fields.add("mapping", "shade16::Mapping::perspective");
+    if (m.alpha != plain.alpha) fields.add("alpha", fmt::format("{{{}}}", m.alpha.raw), "not drawn");
     if (m.unlit) fields.add("unlit", "true");
     return fields.braced();
 }

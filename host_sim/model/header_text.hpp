@@ -18,7 +18,7 @@ std::string literal(Q16 x);  // a whole number as it is: the same bits
 std::string literal(Vec3 v);
 std::string literal(Rgb c);  // a name or six hexadecimal digits where they are the same bits
 
-/// The arrays of a part, `STEM_positions`, `STEM_normals`, `STEM_colors` and `STEM_triangles`, in rows that fit the
+/// The arrays of a part, `STEM_positions`, `STEM_normals`, `STEM_colors`, `STEM_texcoords` and `STEM_triangles`, in rows that fit the
 /// line.
 std::string arrays_text(const BakedPart& part, const std::string& stem);
 
@@ -39,7 +39,15 @@ private:
 
 /// Initialisers, without what is at its default. A mesh's arrays are `ARRAYS_positions` and so on.
 std::string mesh_text(const BakedModel& model, const BakedPart& part, const std::string& arrays, bool convex);
-std::string material_text(const Material& material);
+/// The names that a header gives to a material's pictures.
+struct MapNames {
+    std::string texture{}, bump{};
+};
+std::string material_text(const Material& material, const MapNames& maps = {});
+
+/// A picture's array and the Texture or SlopeMap `name` that looks at it.
+std::string texture_text(const TextureFile& file, const std::string& name);
+std::string relief_text(const ReliefFile& file, const std::string& name);
 
 /// A file's name inside a comment: nothing that could end or continue it.
 std::string harmless(std::string text);

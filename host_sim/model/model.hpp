@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "host_sim/model/double3.hpp"
+#include "host_sim/model/texture_file.hpp"
 #include "shade16/scene/material.hpp"
 
 namespace shade16::host {
@@ -15,7 +16,8 @@ namespace shade16::host {
 struct ModelPart {
     std::string name{};
     Material material{};
-    std::vector<std::string> notes{};  // what the MTL asks for and does not get, such as "map_Kd wall.png"
+    MaterialMaps maps{};  // what its textures look at
+    std::vector<std::string> notes{};  // what the MTL asks for and does not get, such as "map_Ks wall.png"
     std::vector<std::array<uint32_t, 3>> triangles{};
 };
 
@@ -24,6 +26,8 @@ struct Model {
     std::vector<Double3> positions{};
     std::vector<Double3> normals{};  // unit length, one a position
     std::vector<Double3> colors{};   // one a position, or empty
+    std::vector<std::array<double, 2>> texcoords{};  // one a position, or empty; only where something is textured
+    bool texcoords_for_all_parts = false;            // not only for those with a texture of their own
     std::vector<ModelPart> parts{};
 
     std::size_t degenerate_triangles = 0;  // left out

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "host_sim/error.hpp"
 #include "host_sim/model/obj_text.hpp"
 #include "host_sim/model/text_lines.hpp"
 
@@ -36,7 +37,8 @@ bool is_one(const tinyobj::real_t (&color)[3]) { return color[0] == 1 && color[1
 
 class Conversion {
 public:
-    Conversion(const tinyobj::material_t& mtl, Remarks& remarks) : mtl_(mtl), remarks_(remarks) {}
+    Conversion(const tinyobj::material_t& mtl, const std::string& directory, Remarks& remarks, std::vector<std::string>& warnings)
+        : mtl_(mtl), directory_(directory), remarks_(remarks), warnings_(warnings) {}
 
     ModelPart run() {
         const std::string name = spaced_name(mtl_.name);
@@ -44,6 +46,8 @@ public:
         convert_colors();
         part_.material.unlit = mtl_.illum == 0;
         if (mtl_.shininess != -1) part_.material.shininess = exponent();
+        part_.material.alpha = channel(mtl_.dissolve);
+        read_maps();
         note_what_is_not_drawn();
         return std::move(part_);
     }
@@ -77,6 +81,41 @@ private:
         return Q16::from_raw(static_cast<int32_t>(std::lround(inside * 65536)));
     }
 
+    void read_maps() {
+        const bool has_diffuse = !mtl_.diffuse_texname.empty();
+        read_picture(has_diffuse ? "map_Kd" : "map_Ka", has_diffuse ? mtl_.diffuse_texname : mtl_.ambient_texname,
+                     has_diffuse ? mtl_.diffuse_texopt : mtl_.ambient_texopt, [&](const std::string& path, double) {
+                         part_.maps.texture = read_texture(path, warnings_);
+                         part_.material.texture = &part_.maps.texture->texture;
+                     });
+        const bool has_normals = mtl_.bump_texname.empty();
+        read_picture(has_normals ? "norm" : "map_Bump", has_normals ? mtl_.normal_texname : mtl_.bump_texname,
+                     has_normals ? mtl_.normal_texopt : mtl_.bump_texopt, [&](const std::string& path, double strength) {
+                         part_.maps.bump = read_relief(path, strength, has_normals ? ReliefKind::normals : ReliefKind::automatic, warnings_);
+                         part_.material.bump = &part_.maps.bump->map;
+                     });
+        if (part_.maps.texture == nullptr && part_.maps.bump == nullptr) return;
+        part_.material.filter = Filter::bilinear, part_.material.mapping = Mapping::perspective;
+    }
+
+    /// A picture that cannot be read is said and left out, as a missing library is.
+    template <class Read>
+    void read_picture(const char* keyword, const std::string& file, const tinyobj::texture_option_t& options, Read read) {
+        if (file.empty()) return;
+        std::string path = (fs::path(directory_) / file).string();
+        std::error_code ignored;
+        if (!fs::is_regular_file(path, ignored)) std::replace(path.begin(), path.end(), '\\', '/');  // written on Windows
+        try {
+            read(path, options.bump_multiplier);
+        } catch (const Error& error) {
+            part_.notes.push_back(fmt::format("{} {}", keyword, file));
+            warnings_.push_back(fmt::format("{} of the material '{}' is not drawn. {}", keyword, part_.name, error.what()));
+        }
+        const auto is_plain = [](const auto& v, double plain) { return v[0] == plain && v[1] == plain; };
+        if (!is_plain(options.scale, 1) || !is_plain(options.origin_offset, 0) || options.clamp)
+            remarks_.add(fmt::format("{}'s -s, -o or -clamp is not heeded", keyword), part_.name);
+    }
+
     void not_drawn(const std::string& what, const std::string& value) {
         part_.notes.push_back(fmt::format("{} {}", what, value));
         remarks_.add(fmt::format("{} is not drawn", what), part_.name);
@@ -86,14 +125,12 @@ private:
         const auto texture = [this](const char* keyword, const std::string& file) {
             if (!file.empty()) not_drawn(keyword, file);
         };
-        texture("map_Ka", mtl_.ambient_texname);
-        texture("map_Kd", mtl_.diffuse_texname);
+        if (!mtl_.diffuse_texname.empty() && mtl_.ambient_texname != mtl_.diffuse_texname) texture("map_Ka", mtl_.ambient_texname);
         texture("map_Ks", mtl_.specular_texname);
         texture("map_Ke", mtl_.emissive_texname);
         texture("map_Ns", mtl_.specular_highlight_texname);
         texture("map_d", mtl_.alpha_texname);
-        texture("bump", mtl_.bump_texname);
-        texture("norm", mtl_.normal_texname);
+        if (!mtl_.bump_texname.empty()) texture("norm", mtl_.normal_texname);
         texture("disp", mtl_.displacement_texname);
         texture("refl", mtl_.reflection_texname);
         if (mtl_.dissolve != 1) not_drawn("Transparency (d)", fmt::format("{:g}", static_cast<double>(mtl_.dissolve)));
@@ -103,7 +140,9 @@ private:
     }
 
     const tinyobj::material_t& mtl_;
+    const std::string& directory_;
     Remarks& remarks_;
+    std::vector<std::string>& warnings_;
     ModelPart part_{};
     bool clamped_ = false;
 };
@@ -136,6 +175,8 @@ bool MtlReader::read(const std::string& file, std::vector<tinyobj::material_t>* 
     return true;
 }
 
-ModelPart to_part(const tinyobj::material_t& mtl, Remarks& remarks) { return Conversion(mtl, remarks).run(); }
+ModelPart to_part(const tinyobj::material_t& mtl, const std::string& directory, Remarks& remarks, std::vector<std::string>& warnings) {
+    return Conversion(mtl, directory, remarks, warnings).run();
+}
 
 }  // namespace shade16::host

@@ -35,7 +35,9 @@ private:
 /// Ka     the diffuse colour when absent, and also when 1 1 1: that is what Blender writes for "no idea", and taken by
 ///        the letter it would drown every other term.
 /// Ns     1 to 1000, clamped with a warning where a specular colour makes it matter; 32 when absent.
-/// Textures and transparency are not drawn, with a warning.
-ModelPart to_part(const tinyobj::material_t& mtl, Remarks& remarks);
+/// map_Kd is the texture, a factor of ambient and diffuse light; map_Ka is only where it is alone. map_Bump, bump and norm are
+///        reliefs; -bm is their strength. PNG files, relative to the library. They are shown bilinear and in perspective.
+/// Other maps and transparency are not drawn, and pictures that cannot be read neither, with a warning.
+ModelPart to_part(const tinyobj::material_t& mtl, const std::string& directory, Remarks& remarks, std::vector<std::string>& warnings);
 
 }  // namespace shade16::host

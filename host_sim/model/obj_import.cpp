@@ -45,8 +45,8 @@ Parsed parse(const std::string& path, const ObjText& text, MtlReader& materials)
 
 class Builder {
 public:
-    Builder(const Parsed& parsed, const ObjText& text, std::optional<double> crease_degrees, Model& model)
-        : parsed_(parsed), model_(model), has_smoothing_(text.has_smoothing), keeps_normals_(!crease_degrees),
+    Builder(const Parsed& parsed, const ObjText& text, const std::string& directory, std::optional<double> crease_degrees, bool with_texcoords, Model& model)
+        : parsed_(parsed), directory_(directory), model_(model), has_texcoords_(with_texcoords), has_smoothing_(text.has_smoothing), keeps_normals_(!crease_degrees),
           normals_(crease_degrees.value_or(180)), bad_normals_(parsed.attributes.normals.size() / 3) {
         const auto& colors = parsed.attributes.colors;
         const bool colored = std::any_of(colors.begin(), colors.end(), [](auto channel) { return channel != 1; });
@@ -54,8 +54,13 @@ public:
     }
 
     void build() {
+        for (const int material : parsed_.mesh.material_ids) {
+            const ModelPart& part = part_of(material);
+            has_texcoords_ = has_texcoords_ || part.material.texture != nullptr || part.material.bump != nullptr;
+        }
         for_each_face([this](std::size_t face, std::size_t) { normals_.add_face(corners_, group_of(face)); });
         for_each_face([this](std::size_t face, std::size_t first) { add_face(face, first); });
+        std::erase_if(model_.parts, [](const ModelPart& part) { return part.triangles.empty(); });
         const std::vector<std::string> sentences = remarks_.sentences();
         model_.warnings.insert(model_.warnings.end(), sentences.begin(), sentences.end());
         model_.replaced_normals += static_cast<std::size_t>(std::count(bad_normals_.begin(), bad_normals_.end(), true));
@@ -97,14 +102,24 @@ private:
     uint32_t vertex(const tinyobj::index_t& index, const Double3& position, const FaceSide& face) {
         const Double3 normal = normal_at(index, position, face);
         const Double3 color = colored_ ? triple(parsed_.attributes.colors, index.vertex_index) : Double3{1, 1, 1};
+        const std::array<double, 2> at = place_at(index);
         const auto [entry, is_new] =
-            vertices_.try_emplace({position, normal, color}, static_cast<uint32_t>(model_.positions.size()));
+            vertices_.try_emplace({position, normal, color, Double3{at[0], at[1], 0}}, static_cast<uint32_t>(model_.positions.size()));
         if (is_new) {
             model_.positions.push_back(position);
             model_.normals.push_back(normal);
             if (colored_) model_.colors.push_back(color);
+            if (has_texcoords_) model_.texcoords.push_back(at);
         }
         return entry->second;
+    }
+
+    std::array<double, 2> place_at(const tinyobj::index_t& index) const {
+        if (!has_texcoords_ || index.texcoord_index < 0) return {0, 0};
+        const std::size_t i = 2 * static_cast<std::size_t>(index.texcoord_index);
+        const auto& all = parsed_.attributes.texcoords;
+        const auto finite = [](double v) { return std::isfinite(v) ? v : 0; };
+        return {finite(all[i]), finite(all[i + 1])};
     }
 
     Double3 normal_at(const tinyobj::index_t& index, const Double3& position, const FaceSide& face) {
@@ -120,18 +135,19 @@ private:
         if (is_new && material_id < 0) {
             model_.parts.push_back({.name = "default", .material = default_material()});
         } else if (is_new) {
-            model_.parts.push_back(to_part(parsed_.materials[static_cast<std::size_t>(material_id)], remarks_));
+            model_.parts.push_back(to_part(parsed_.materials[static_cast<std::size_t>(material_id)], directory_, remarks_, model_.warnings));
         }
         return model_.parts[entry->second];
     }
 
     const Parsed& parsed_;
+    const std::string& directory_;
     Model& model_;
-    bool colored_ = false, has_smoothing_, keeps_normals_;
+    bool has_texcoords_, colored_ = false, has_smoothing_, keeps_normals_;
     std::vector<Double3> corners_{};  // of the face at hand
     SmoothNormals normals_;
     std::vector<bool> bad_normals_;
-    std::map<std::array<Double3, 3>, uint32_t> vertices_{};
+    std::map<std::array<Double3, 4>, uint32_t> vertices_{};
     std::map<int, std::size_t> parts_{};
     Remarks remarks_{};  // on materials
 };
@@ -165,17 +181,19 @@ void warn_of_repairs(const ObjText& text, Model& model) {
 
 }  // namespace
 
-Model import_obj(const std::string& path, std::optional<double> crease_degrees) {
+Model import_obj(const std::string& path, std::optional<double> crease_degrees, bool with_texcoords) {
     const ObjText text = check_obj_text(path, read_text(path));
     if (text.faces == 0) throw input_error("{}: has no faces; expected at least one line such as 'f 1 2 3'.", path);
 
     Model model;
+    model.texcoords_for_all_parts = with_texcoords;
     model.source = std::filesystem::path(path).filename().string();
     model.degenerate_triangles = text.short_faces;
-    MtlReader materials(std::filesystem::path(path).parent_path().string(), text.libraries, model.warnings);
+    const std::string directory = std::filesystem::path(path).parent_path().string();
+    MtlReader materials(directory, text.libraries, model.warnings);
     const Parsed parsed = parse(path, text, materials);
     warn_of_missing_materials(text, parsed, model);
-    Builder(parsed, text, crease_degrees, model).build();
+    Builder(parsed, text, directory, crease_degrees, with_texcoords, model).build();
     warn_of_repairs(text, model);
     if (model.parts.empty())
         throw input_error("{}: has {} faces, but none has an area; expected at least one that does.", path, text.faces);

@@ -16,12 +16,16 @@ struct Vertex {
     Position16 position;
     Normal14 normal;
     Rgb color;
+    TexCoord16 at;
 
-    std::array<int32_t, 9> key() const {
-        return {position.x,   position.y,  position.z,  normal.x.raw, normal.y.raw,
-                normal.z.raw, color.r.raw, color.g.raw, color.b.raw};
+    using Key = std::array<int32_t, 11>;
+    Key key() const {
+        return {position.x,  position.y,  position.z,  normal.x.raw, normal.y.raw, normal.z.raw,
+                color.r.raw, color.g.raw, color.b.raw, at.s,         at.t};
     }
 };
+
+constexpr int largest_texcoord = 32767;
 
 /// Twice the area, exactly: the products of two 17-bit differences.
 bool has_area(Position16 a, Position16 b, Position16 c) {
@@ -50,6 +54,7 @@ public:
     void bake(const ModelPart& part) {
         vertices_.clear();
         numbers_.clear();
+        choose_texcoord_bits(part);
         std::vector<std::array<uint32_t, 3>> triangles;
         for (const auto& corners : part.triangles) {
             const auto at = [&](std::size_t i) { return lattice_.nearest(model_.positions[corners[i]]); };
@@ -66,11 +71,35 @@ private:
     /// Vertices that became equal by rounding are one from here on.
     uint32_t number_of(uint32_t index) {
         const Vertex vertex{lattice_.nearest(model_.positions[index]), nearest_normal(model_.normals[index]),
-                            model_.colors.empty() ? white : rounded_color(model_.colors[index])};
+                            model_.colors.empty() ? white : rounded_color(model_.colors[index]), place_at(index)};
         note_errors(index, vertex);
         const auto [entry, is_new] = numbers_.try_emplace(vertex.key(), static_cast<uint32_t>(vertices_.size()));
         if (is_new) vertices_.push_back(vertex);
         return entry->second;
+    }
+
+    void choose_texcoord_bits(const ModelPart& part) {
+        const bool is_textured = part.material.texture != nullptr || part.material.bump != nullptr;
+        has_texcoords_ = !model_.texcoords.empty() && (is_textured || model_.texcoords_for_all_parts);
+        texcoord_bits_ = 15;
+        if (!has_texcoords_) return;
+        double largest = 0;
+        for (const auto& corners : part.triangles)
+            for (const uint32_t i : corners) largest = std::max({largest, std::fabs(model_.texcoords[i][0]), std::fabs(model_.texcoords[i][1])});
+        while (texcoord_bits_ > 0 && std::round(std::ldexp(largest, texcoord_bits_)) > largest_texcoord) --texcoord_bits_;
+        if (largest > largest_texcoord)
+            baked_.warnings.push_back(fmt::format("The part '{}' repeats its texture {:.0f} times; beyond {} times it is drawn wrong.", part.name,
+                                                  largest, largest_texcoord));
+    }
+
+    TexCoord16 place_at(uint32_t index) {
+        if (!has_texcoords_) return {};
+        const auto rounded = [&](double v) {
+            const double code = std::clamp<double>(std::round(std::ldexp(v, texcoord_bits_)), -largest_texcoord, largest_texcoord);
+            baked_.max_texcoord_error = std::max(baked_.max_texcoord_error, std::fabs(std::ldexp(code, -texcoord_bits_) - v));
+            return static_cast<int16_t>(code);
+        };
+        return {rounded(model_.texcoords[index][0]), rounded(model_.texcoords[index][1])};
     }
 
     void note_errors(uint32_t index, const Vertex& vertex) {
@@ -86,11 +115,13 @@ private:
                 "{}: the part '{}' has {} different vertices; expected at most {}, as indices have 16 bits. "
                 "Reduce the model or give it several materials.",
                 model_.source, part.name, order.sources.size(), max_mesh_vertices);
-        BakedPart baked{.name = part.name, .triangles = std::move(order.triangles), .material = part.material};
+        BakedPart baked{.name = part.name, .triangles = std::move(order.triangles), .material = part.material, .maps = part.maps};
+        if (has_texcoords_) baked.texcoord_bits = static_cast<int8_t>(texcoord_bits_);
         for (const uint32_t source : order.sources) {
             baked.positions.push_back(vertices_[source].position);
             baked.normals.push_back(vertices_[source].normal);
             if (!model_.colors.empty()) baked.colors.push_back(vertices_[source].color);
+            if (has_texcoords_) baked.texcoords.push_back(vertices_[source].at);
         }
         baked.convex = is_convex(baked.positions, baked.triangles);
         baked_.parts.push_back(std::move(baked));
@@ -100,7 +131,9 @@ private:
     BakedModel& baked_;
     Lattice lattice_;
     std::vector<Vertex> vertices_{};  // of the part at hand
-    std::map<std::array<int32_t, 9>, uint32_t> numbers_{};
+    std::map<Vertex::Key, uint32_t> numbers_{};
+    bool has_texcoords_ = false;  // the part at hand
+    int texcoord_bits_ = 15;
 };
 
 }  // namespace
@@ -124,6 +157,7 @@ BakedModel quantize(const Model& model) {
 
 std::size_t BakedPart::flash_bytes() const {
     return positions.size() * sizeof(Position16) + normals.size() * sizeof(Normal14) + colors.size() * sizeof(Rgb) +
+           texcoords.size() * sizeof(TexCoord16) +
            triangles.size() * sizeof(Triangle);
 }
 
@@ -153,9 +187,11 @@ Mesh mesh_of(const BakedModel& model, std::size_t index) {
     return {.positions = view(part.positions),
             .normals = view(part.normals),
             .colors = view(part.colors),
+            .texcoords = view(part.texcoords),
             .triangles = view(part.triangles),
             .centre = model.centre,
             .fraction_bits = model.fraction_bits,
+            .texcoord_bits = part.texcoord_bits,
             .convex = part.convex};
 }
 

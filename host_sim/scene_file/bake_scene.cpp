@@ -8,6 +8,7 @@
 
 #include "host_sim/model/header_text.hpp"
 #include "host_sim/model/identifier.hpp"
+#include "host_sim/model/map_texts.hpp"
 #include "host_sim/scene_file/scene_values.hpp"
 #include "host_sim/scene_file/shape_text.hpp"
 
@@ -18,7 +19,7 @@ namespace {
 constexpr int frames_of_a_turn = 90;  // where the scene file does not say
 
 const std::string no_suffix[] = {""};
-const std::string array_suffixes[] = {"", "_positions", "_normals", "_colors", "_triangles"};
+const std::string array_suffixes[] = {"", "_positions", "_normals", "_colors", "_texcoords", "_triangles"};
 
 std::string list(const char* type, const char* name, const std::vector<std::string>& elements) {
     if (elements.empty()) return {};
@@ -91,7 +92,7 @@ private:
         const BakedPart& part = baked.parts[drawn.part];
         const std::string wish = baked.parts.size() == 1 ? description.name : description.name + "_" + part.name;
         const std::string& stem = stems_[{drawn.mesh, drawn.part}] = names_.claim(identifier(wish), array_suffixes);
-        const std::string shape = drawn.convex == std::vector<bool>{part.convex} ? shape_text(description) : "";
+        const std::string shape = drawn.convex == std::vector<bool>{part.convex} ? shape_text(description, !part.texcoords.empty()) : "";
 
         std::string text = fmt::format("\n// {}: {} vertices, {} triangles, {} bytes of flash.\n", stem,
                                        part.positions.size(), part.triangles.size(), part.flash_bytes());
@@ -113,6 +114,11 @@ private:
         return mesh_names_.at({origin.mesh, origin.part, drawn(object).mesh.convex});
     }
 
+    const BakedPart& part_of(std::size_t object) const {
+        const auto& origin = loaded_.origins()[object];
+        return loaded_.meshes()[origin.mesh].baked.parts[origin.part];
+    }
+
     /// The name of its arrays, whatever it says of being convex.
     const std::string& stem_of(std::size_t object) const {
         return stems_.at({loaded_.origins()[object].mesh, loaded_.origins()[object].part});
@@ -128,8 +134,8 @@ private:
             std::string& name = material_names_[{has_name, wish}];
             if (name.empty()) {
                 name = names_.claim(identifier(wish + "_material"), no_suffix);
-                text +=
-                    fmt::format("\ninline constexpr shade16::Material {}{};\n", name, material_text(drawn(i).material));
+                const MapNames maps = maps_.names_of(object.value ? object.maps : part_of(i).maps, text);
+                text += fmt::format("\ninline constexpr shade16::Material {}{};\n", name, material_text(drawn(i).material, maps));
             }
             material_of_object_.push_back(name);
         }
@@ -183,6 +189,7 @@ private:
     const LoadedScene& loaded_;
     std::string name_;
     UniqueNames names_{};
+    MapTexts maps_{names_};
     std::map<std::pair<std::size_t, std::size_t>, std::string> stems_{};
     std::map<std::tuple<std::size_t, std::size_t, bool>, std::string> mesh_names_{};
     std::map<std::pair<bool, std::string>, std::string> material_names_{};

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "host_sim/model/texture_file.hpp"
 #include "shade16/shade16.hpp"
 
 namespace shade16::host {
@@ -35,6 +36,7 @@ struct MeshDescription {
 struct MaterialDescription {
     std::string name{};
     Material material{};
+    MaterialMaps maps{};  // what its textures look at
 };
 
 /// `order` says which axis is turned about first, such as "xyz"; the axes are the world's.
@@ -53,6 +55,7 @@ struct ObjectDescription {
     int line = 0;
     std::string mesh{}, material{};
     std::optional<Material> value{};  // of `material`; none: the model's own
+    MaterialMaps maps{};              // of `value`
     Rotation rotation{};
     Vec3 scale{1, 1, 1}, translation{};
     SpinDescription spin{};
@@ -69,6 +72,7 @@ struct SceneDescription {
     std::vector<MaterialDescription> materials{};
     std::vector<MeshDescription> meshes{};
     std::vector<ObjectDescription> objects{};
+    std::vector<std::string> warnings{};  // sentences about pictures
 };
 
 /// The word that means a model's own material.

@@ -94,6 +94,15 @@ void add_material(Dump& to, const MaterialDescription& d) {
     to.key("shininess", decimal(m.shininess));
     to.word("shading", m.shading == Shading::flat ? "flat" : m.shading == Shading::phong ? "phong" : "gouraud");
     to.word("normals", m.normal_path == NormalPath::spherical ? "spherical" : "linear");
+    const auto picture = [&](const char* key, const std::string& path) {
+        to.word(key, std::filesystem::absolute(path).lexically_normal().string());
+    };
+    if (d.maps.texture) picture("texture", d.maps.texture->path);
+    if (d.maps.bump) picture("bump", d.maps.bump->path);
+    if (d.maps.bump) to.key("bump_strength", fmt::format("{}", d.maps.bump->strength));
+    to.word("filter", m.filter == Filter::bilinear ? "bilinear" : "nearest");
+    to.word("mapping", m.mapping == Mapping::perspective ? "perspective" : "affine");
+    if (m.alpha.raw != Unorm16::one) to.key("alpha", decimal(m.alpha));
     to.key("unlit", m.unlit ? "true" : "false");
 }
 

@@ -15,7 +15,12 @@ template <class Fill>
 BakedPart filled(uint32_t vertices, uint32_t triangles, Fill fill) {
     BakedPart part;
     part.positions.resize(vertices), part.normals.resize(vertices), part.triangles.resize(triangles);
-    fill(detail::ShapeArrays{part.positions.data(), part.normals.data(), part.triangles.data()});
+    if constexpr (requires { fill(detail::ShapeArrays{}, nullptr); }) {
+        part.texcoords.resize(vertices);
+        fill(detail::ShapeArrays{part.positions.data(), part.normals.data(), part.triangles.data()}, part.texcoords.data());
+    } else {
+        fill(detail::ShapeArrays{part.positions.data(), part.normals.data(), part.triangles.data()});
+    }
     return part;
 }
 
@@ -25,9 +30,23 @@ BakedPart copied(const Shape& shape) {
     BakedPart part;
     part.positions.assign(mesh.positions.begin(), mesh.positions.end());
     part.normals.assign(mesh.normals.begin(), mesh.normals.end());
+    part.texcoords.assign(mesh.texcoords.begin(), mesh.texcoords.end());
     part.triangles.assign(mesh.triangles.begin(), mesh.triangles.end());
     part.convex = mesh.convex;
     return part;
+}
+
+BakedPart textured_shape_of(const MeshDescription& m) {
+    if (m.kind == ShapeKind::cube) return copied(textured_cube);
+    if (m.kind == ShapeKind::quad) return copied(textured_quad);
+    const uint32_t vertices = detail::grid_vertices(m.around, m.along);
+    if (m.kind == ShapeKind::sphere)
+        return filled(vertices, detail::sphere_triangles(m.around, m.along), [&](const detail::ShapeArrays& to, TexCoord16* at) {
+            detail::fill_textured_sphere(to, at, m.around, m.along);
+        });
+    return filled(vertices, 2 * m.around * m.along, [&](const detail::ShapeArrays& to, TexCoord16* at) {
+        detail::fill_textured_torus(to, at, m.around, m.along, m.minor_radius);
+    });
 }
 
 BakedPart shape_of(const MeshDescription& m) {
@@ -46,10 +65,10 @@ Error at_line(const MeshDescription& m, const std::string& scene_path, ExitCode 
 
 }  // namespace
 
-LoadedMesh load_mesh(const MeshDescription& m, const std::string& scene_path) {
+LoadedMesh load_mesh(const MeshDescription& m, const std::string& scene_path, bool is_textured) {
     LoadedMesh mesh;
     if (m.kind == ShapeKind::file) try {
-            mesh.model = import_obj((std::filesystem::path(scene_path).parent_path() / m.file).string(), m.crease_degrees);
+            mesh.model = import_obj((std::filesystem::path(scene_path).parent_path() / m.file).string(), m.crease_degrees, is_textured);
             mesh.baked = quantize(*mesh.model);
             return mesh;
         } catch (const Error& error) {
@@ -57,7 +76,11 @@ LoadedMesh load_mesh(const MeshDescription& m, const std::string& scene_path) {
         }
     mesh.baked.source = m.name;
     mesh.baked.fraction_bits = m.kind == ShapeKind::torus ? detail::torus_fraction_bits : int8_t{14};
-    mesh.baked.parts.push_back(shape_of(m));
+    const bool has_grid = m.kind == ShapeKind::sphere || m.kind == ShapeKind::torus;
+    if (const uint32_t vertices = detail::grid_vertices(m.around, m.along); is_textured && has_grid && vertices > max_mesh_vertices)
+        throw at_line(m, scene_path, ExitCode::input,
+                      fmt::format("has {} vertices with a texture; expected at most {}.", vertices, max_mesh_vertices));
+    mesh.baked.parts.push_back(is_textured ? textured_shape_of(m) : shape_of(m));
     BakedPart& part = mesh.baked.parts.front();
     part.name = m.name;
     part.colors = m.colors;

@@ -17,8 +17,9 @@ struct LoadedMesh {
     std::vector<reference::Mesh> originals() const;
 };
 
-/// `scene_path` is the scene file: models are beside it. Throws input_error with the scene file's line.
-LoadedMesh load_mesh(const MeshDescription& mesh, const std::string& scene_path);
+/// `scene_path` is the scene file: models are beside it. `is_textured`: with texture coordinates. Throws input_error with the
+/// scene file's line.
+LoadedMesh load_mesh(const MeshDescription& mesh, const std::string& scene_path, bool is_textured);
 
 /// Whether no front face hides another, though the surface need not be closed: every vertex lies on or behind every
 /// face's plane, and no two faces in one plane overlap. Drawn alone, such a mesh needs no depth buffer.

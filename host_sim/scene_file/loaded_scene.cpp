@@ -1,5 +1,6 @@
 #include "host_sim/scene_file/loaded_scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -45,8 +46,12 @@ double reach(const BakedModel& model, const ObjectDescription& o) {
 
 LoadedScene::LoadedScene(SceneDescription description, const Shading* shading) : description_(std::move(description)) {
     source_ = std::filesystem::path(description_.path).filename().string();
+    warnings_ = description_.warnings;
     for (const MeshDescription& m : description_.meshes) {
-        meshes_.push_back(load_mesh(m, description_.path));
+        const bool is_textured = std::any_of(description_.objects.begin(), description_.objects.end(), [&](const ObjectDescription& o) {
+            return o.mesh == m.name && (o.maps.texture || o.maps.bump);
+        });
+        meshes_.push_back(load_mesh(m, description_.path, is_textured));
         const std::vector<std::string>& more = meshes_.back().baked.warnings;
         warnings_.insert(warnings_.end(), more.begin(), more.end());
     }

@@ -1,5 +1,6 @@
 // Materials, and how one is `like` another.
 #include <algorithm>
+#include <filesystem>
 
 #include "host_sim/nearest_word.hpp"
 #include "host_sim/scene_file/read_parts.hpp"
@@ -12,17 +13,21 @@ constexpr Range exponents{1, 1000};
 
 class Materials {
 public:
-    Materials(const SceneTables& tables, const TomlTable& entries) : tables_(tables), entries_(entries) {}
+    Materials(const SceneTables& tables, const TomlTable& entries, std::vector<std::string>& warnings)
+        : tables_(tables), entries_(entries), warnings_(warnings) {}
 
-    Material read(const TomlEntry& entry, std::vector<std::string> likes = {}) const {
+    MaterialDescription read(const TomlEntry& entry, std::vector<std::string> likes = {}) const {
         const TableReader table =
             tables_.reader(fmt::format("material '{}'", entry.key), entry.value,
-                           {"like", "ambient", "diffuse", "specular", "emissive", "shininess", "shading", "normals", "unlit"});
+                           {"like", "ambient", "diffuse", "specular", "emissive", "shininess", "shading", "normals", "texture",
+                            "bump", "bump_strength", "filter", "mapping", "alpha", "unlit"});
         if (entry.key == own_material)
             throw input_error("{}:{}: material '{}' is what a model's own materials are called; expected another name.",
                               tables_.file, entry.line, entry.key);
         likes.push_back(entry.key);
-        Material material = table.has("like") ? liked(table, likes) : Material{};
+        MaterialDescription description = table.has("like") ? liked(table, likes) : MaterialDescription{};
+        description.name = entry.key;
+        Material& material = description.material;
         if (table.has("ambient")) {
             Rgb ambient{};
             table.read("ambient", ambient);
@@ -36,22 +41,53 @@ public:
             material.shading = static_cast<Shading>(*i);
         if (const auto i = table.word("normals", {"linear", "spherical"}))
             material.normal_path = static_cast<NormalPath>(*i);
+        read_maps(table, description);
+        double alpha = material.alpha.raw / 65535.0;
+        table.read("alpha", alpha, Range{0, 1});
+        if (table.has("alpha")) material.alpha = Unorm16::from_raw(static_cast<uint32_t>(alpha * 65535 + 0.5));
         table.read("unlit", material.unlit);
-        return material;
+        return description;
     }
 
 private:
-    Material liked(const TableReader& table, const std::vector<std::string>& likes) const {
+    template <class Read>
+    auto read_picture(const TableReader& table, const char* key, Read read) const {
+        std::string file;
+        table.read(key, file);
+        try {
+            return read((std::filesystem::path(tables_.file).parent_path() / file).string());
+        } catch (const Error& error) {
+            throw Error(error.code, fmt::format("{}:{}: {}", tables_.file, table.line_of(key), error.what()));
+        }
+    }
+    void read_maps(const TableReader& table, MaterialDescription& to) const {
+        if (const auto i = table.word("filter", {"nearest", "bilinear"})) to.material.filter = static_cast<Filter>(*i);
+        if (const auto i = table.word("mapping", {"affine", "perspective"})) to.material.mapping = static_cast<Mapping>(*i);
+        if (table.has("texture")) {
+            to.maps.texture = read_picture(table, "texture", [&](const std::string& path) { return read_texture(path, warnings_); });
+            to.material.texture = &to.maps.texture->texture;
+        }
+        double strength = 1;
+        table.read("bump_strength", strength, Range{-100, 100});
+        if (table.has("bump")) {
+            to.maps.bump = read_picture(table, "bump", [&](const std::string& path) { return read_relief(path, strength, ReliefKind::automatic, warnings_); });
+            to.material.bump = &to.maps.bump->map;
+        } else if (table.has("bump_strength")) {
+            throw table.wrong("bump_strength", "stands without 'bump'; expected the name of a picture there");
+        }
+    }
+
+    MaterialDescription liked(const TableReader& table, const std::vector<std::string>& likes) const {
         std::string name;
         table.read("like", name);
         const Material* const classic = find_material(name.c_str());
-        if (name == likes.back() && classic != nullptr) return *classic;  // a variation under the same name
+        if (name == likes.back() && classic != nullptr) return {name, *classic, {}};  // a variation under the same name
         if (std::find(likes.begin(), likes.end(), name) != likes.end())
             throw table.wrong(
                 "like", fmt::format("goes round in a circle: {} is like {}", fmt::join(likes, " is like "), name));
         for (const TomlEntry& entry : entries_)
             if (entry.key == name) return read(entry, likes);
-        if (classic != nullptr) return *classic;
+        if (classic != nullptr) return {name, *classic, {}};
         std::vector<std::string> known = classic_names();
         for (const TomlEntry& entry : entries_) known.push_back(entry.key);
         throw table.wrong(
@@ -61,13 +97,14 @@ private:
 
     const SceneTables& tables_;
     const TomlTable& entries_;
+    std::vector<std::string>& warnings_;
 };
 
 }  // namespace
 
-std::vector<MaterialDescription> read_materials(const SceneTables& tables, const TomlTable& entries) {
+std::vector<MaterialDescription> read_materials(const SceneTables& tables, const TomlTable& entries, std::vector<std::string>& warnings) {
     std::vector<MaterialDescription> all;
-    for (const TomlEntry& entry : entries) all.push_back({entry.key, Materials(tables, entries).read(entry)});
+    for (const TomlEntry& entry : entries) all.push_back(Materials(tables, entries, warnings).read(entry));
     return all;
 }
 

@@ -21,8 +21,8 @@ Light read_light(const SceneTables& tables, const TomlValue& table, std::size_t 
 MeshDescription read_mesh(const SceneTables& tables, const TomlEntry& entry);
 ObjectDescription read_object(const SceneTables& tables, const TomlValue& table, std::size_t number);
 
-/// All materials at once, since they may be `like` each other.
-std::vector<MaterialDescription> read_materials(const SceneTables& tables, const TomlTable& entries);
+/// All materials at once, since they may be `like` each other. `warnings` are on their pictures.
+std::vector<MaterialDescription> read_materials(const SceneTables& tables, const TomlTable& entries, std::vector<std::string>& warnings);
 
 /// The names of the classic materials.
 std::vector<std::string> classic_names();

@@ -24,7 +24,7 @@ public:
         for_each("lights",
                  [&](const TomlValue& v, std::size_t n) { scene_.lights.push_back(read_light(tables_, v, n)); });
         if (const TomlTable* const materials = table_of("materials"))
-            scene_.materials = read_materials(tables_, *materials);
+            scene_.materials = read_materials(tables_, *materials, scene_.warnings);
         if (const TomlTable* const meshes = table_of("meshes"))
             for (const TomlEntry& entry : *meshes) scene_.meshes.push_back(read_mesh(tables_, entry));
         for_each("objects", [&](const TomlValue& v, std::size_t n) { add_object(read_object(tables_, v, n), n); });
@@ -66,18 +66,21 @@ private:
         if (object.material == own_material && mesh->kind != ShapeKind::file)
             throw absent(object, number, "material", own_material,
                          "; a built-in shape has none of its own, so expected a name");
-        if (object.material != own_material) object.value = material_of(object, number);
+        if (object.material != own_material) {
+            const MaterialDescription material = material_of(object, number);
+            object.value = material.material, object.maps = material.maps;
+        }
         scene_.objects.push_back(std::move(object));
     }
 
-    Material material_of(const ObjectDescription& object, std::size_t number) const {
+    MaterialDescription material_of(const ObjectDescription& object, std::size_t number) const {
         if (object.material.empty()) return {};
         std::vector<std::string> known = classic_names();
         for (const MaterialDescription& m : scene_.materials) {
-            if (m.name == object.material) return m.material;
+            if (m.name == object.material) return m;
             known.push_back(m.name);
         }
-        if (const Material* const classic = find_material(object.material.c_str())) return *classic;
+        if (const Material* const classic = find_material(object.material.c_str())) return {object.material, *classic, {}};
         known.emplace_back(own_material);
         throw absent(object, number, "material", object.material,
                      suggestion(object.material, known, "under [materials] or in the table of docs/scene-file.md"));

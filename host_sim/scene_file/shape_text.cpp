@@ -12,19 +12,20 @@ constexpr uint32_t most_vertices = 2048;
 
 }  // namespace
 
-std::string shape_text(const MeshDescription& m) {
+std::string shape_text(const MeshDescription& m, bool is_textured) {
+    const char* const kind = is_textured ? "textured_" : "";
     if (!m.colors.empty() || m.around * m.along > most_vertices) return {};
     switch (m.kind) {
         case ShapeKind::cube:
-            return "shade16::cube.mesh()";
+            return fmt::format("shade16::{}cube.mesh()", kind);
         case ShapeKind::quad:
-            return "shade16::quad.mesh()";
+            return fmt::format("shade16::{}quad.mesh()", kind);
         case ShapeKind::sphere:
-            return fmt::format("shade16::sphere<{}, {}>.mesh()", m.around, m.along);
+            return fmt::format("shade16::{}sphere<{}, {}>.mesh()", kind, m.around, m.along);
         case ShapeKind::torus:
             if (m.minor_radius.raw == torus_minor_radius)
-                return fmt::format("shade16::torus<{}, {}>.mesh()", m.around, m.along);
-            return fmt::format("shade16::torus<{}, {}, {}>.mesh()", m.around, m.along, m.minor_radius.raw);
+                return fmt::format("shade16::{}torus<{}, {}>.mesh()", kind, m.around, m.along);
+            return fmt::format("shade16::{}torus<{}, {}, {}>.mesh()", kind, m.around, m.along, m.minor_radius.raw);
         default:
             return {};
     }

@@ -9,6 +9,6 @@ namespace shade16::host {
 
 /// Such as `shade16::sphere<32, 16>.mesh()`; empty for what the core has no expression for, and for shapes that are too
 /// large for a compiler to build within its usual limits.
-std::string shape_text(const MeshDescription& mesh);
+std::string shape_text(const MeshDescription& mesh, bool is_textured);
 
 }  // namespace shade16::host

@@ -43,8 +43,10 @@ Accumulator lit(const Setting& s, Normal14 normal = facing, Position16 position 
         if (light.kind != LightKind::ambient) object_lights.push_back(make_object_light<Tier>(s.camera, view, light, s.material, s.pose, s.mesh));
     const Shininess<Tier> kernel = shininess<Tier>(s.material.shininess);
     const bool has_specular = s.material.specular != black;
+    ColorFactor factor{};
+    if (s.color != nullptr) factor = *s.color;
     return light_point<all_needs, Tier>(object, {object_lights.data(), static_cast<uint32_t>(object_lights.size())}, has_specular ? &kernel : nullptr,
-                                        {raw(position), 1}, lighting_normal<all_needs, Tier>(object, normal), s.color);
+                                        {raw(position), 1}, lighting_normal<all_needs, Tier>(object, normal), s.color != nullptr ? &factor : nullptr);
 }
 
 ::testing::AssertionResult is_black(const Accumulator& sum) {

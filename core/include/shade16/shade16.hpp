@@ -33,6 +33,7 @@
 #include "shade16/scene/texture.hpp"
 #include "shade16/scene/mesh.hpp"
 #include "shade16/scene/shapes.hpp"
+#include "shade16/scene/textured_shapes.hpp"
 #include "shade16/scene/material.hpp"
 #include "shade16/scene/materials.hpp"
 #include "shade16/scene/light.hpp"

@@ -36,6 +36,7 @@ struct Material {
     const SlopeMap* bump = nullptr;    // turns the normals of Shading::phong
     Filter filter = Filter::nearest;   // of both
     Mapping mapping = Mapping::affine;
+    Unorm16 alpha{Unorm16::one};  // kept for whoever asks; surfaces are drawn opaque
     bool unlit = false;  // shows its diffuse colour, or the vertex colours, whatever the light
 
     constexpr Rgb ambient_color() const { return ambient.given ? ambient.color : diffuse; }

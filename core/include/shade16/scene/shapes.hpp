@@ -83,19 +83,21 @@ consteval auto make_sphere() {
     return s;
 }
 
+constexpr void torus_vertex(Position16& position, Normal14& normal, Angle along, Angle around, Q30 minor) {
+    const auto [sin_u, cos_u] = sincos(along);
+    const auto [sin_v, cos_v] = sincos(around);
+    const Q30 radius{shift_right_round(Q30::one + product(minor, cos_v).raw, 1)};  // halved: it may exceed 2
+    position = {static_cast<int16_t>(narrowed(product(radius, cos_u), 14)), static_cast<int16_t>(narrowed(product(radius, sin_u), 14)),
+                static_cast<int16_t>(narrowed(product(minor, sin_v), 13))};
+    normal = narrowed(Normal30{product(cos_v, cos_u), product(cos_v, sin_u), sin_v});
+}
+
 /// Around z: a tube of radius `minor` (below 1) on a ring of radius 1.
 constexpr void fill_torus(const ShapeArrays& t, uint32_t rings, uint32_t sides, Q30 minor) {
     uint32_t vertex = 0, triangle = 0;
-    for (uint32_t i = 0; i < rings; ++i) {
-        const auto [sin_u, cos_u] = sincos(fraction_of_turn(i, rings));
-        for (uint32_t j = 0; j < sides; ++j) {
-            const auto [sin_v, cos_v] = sincos(fraction_of_turn(j, sides));
-            const Q30 radius{shift_right_round(Q30::one + product(minor, cos_v).raw, 1)};  // halved: it may exceed 2
-            t.positions[vertex] = {static_cast<int16_t>(narrowed(product(radius, cos_u), 14)), static_cast<int16_t>(narrowed(product(radius, sin_u), 14)),
-                                   static_cast<int16_t>(narrowed(product(minor, sin_v), 13))};
-            t.normals[vertex++] = narrowed(Normal30{product(cos_v, cos_u), product(cos_v, sin_u), sin_v});
-        }
-    }
+    for (uint32_t i = 0; i < rings; ++i)
+        for (uint32_t j = 0; j < sides; ++j, ++vertex)
+            torus_vertex(t.positions[vertex], t.normals[vertex], fraction_of_turn(i, rings), fraction_of_turn(j, sides), minor);
     const auto at = [=](uint32_t i, uint32_t j) { return index16(i % rings * sides + j % sides); };
     for (uint32_t i = 0; i < rings; ++i)
         for (uint32_t j = 0; j < sides; ++j) {
