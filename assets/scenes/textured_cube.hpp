@@ -1,5 +1,5 @@
 // Made by: shade16 bake textured_cube.toml -o textured_cube.hpp
-// 353 vertices, 542 triangles, 8900 bytes of flash.
+// 353 vertices, 542 triangles, 41668 bytes of flash.
 #pragma once
 
 #include <shade16/shade16.hpp>

@@ -45,10 +45,14 @@ std::string vertices_text(const std::vector<Comparison>& tiers, const Ink& ink) 
 }
 
 std::string pixels_text(const std::vector<Comparison>& tiers, const Ink& ink) {
-    std::string text = "(ii) Pixels before they are rounded to the display's format: (i) and stepping along a row\n";
+    std::string text = "(ii) Pixels before they are rounded to the display's format: (i) and stepping along a row, or light by pixel\n";
     text += heading;
     for (const Comparison& c : tiers)
         text += row(c, c.pixels, fmt::format("as above + {:.2g}", stepping_levels(c)), ink);
+    for (const Comparison& c : tiers)
+        if (c.textured_pixels > 0)
+            text += fmt::format("    {:<9}{} of {} textured pixels show the texel beside the exact one\n", c.tier, c.other_texel,
+                                c.textured_pixels);
     return text + fmt::format("    {} of triangles cut by the frame's edges or the camera were left out.\n\n",
                               counted(tiers.front().clipped_pixels, "pixel", "pixels"));
 }

@@ -35,16 +35,17 @@ std::string needs_text(const Survey& s) {
     std::string paid = "\nNeeds\n", unpaid;
     for (const Term& term : terms) {
         if (s.needs.*term.is_needed)
-            paid += fmt::format("  {:<15}{}\n", term.name, term.cost);
+            paid += fmt::format("  {:<21}{}\n", term.name, term.cost);
         else
-            unpaid += fmt::format("  {:<15}{}\n", term.name, term.cost);
+            unpaid += fmt::format("  {:<21}{}\n", term.name, term.cost);
     }
     return paid + "\nDoes not pay for\n" + (unpaid.empty() ? "  nothing: it uses every term\n" : unpaid);
 }
 
 std::string memory_text(const Survey& s) {
     std::string text =
-        fmt::format("\nFlash, estimated, without code\n  mesh {} bytes, and shininess tables as below\n", s.mesh_bytes);
+        fmt::format("\nFlash, estimated, without code\n  mesh {} bytes, {}and shininess tables as below\n", s.mesh_bytes,
+                    s.picture_bytes == 0 ? "" : fmt::format("pictures {} bytes, ", s.picture_bytes));
     text += "\nBytes by tier     flash: shininess   RAM: vertices kept   RAM: replayed in ";
     text += fmt::format("{} slots\n", usual_replay_slots);
     for (const TierMemory& t : s.tiers)

@@ -32,6 +32,8 @@ Json comparison(const Comparison& c) {
             {"vertices", figures(c.vertices)},
             {"pixels", figures(c.pixels)},
             {"clipped_pixels", c.clipped_pixels},
+            {"textured_pixels", c.textured_pixels},
+            {"neighbouring_texels", c.other_texel},
             {"picture",
              {{"largest_levels", c.picture.largest},
               {"mean_levels", c.picture.mean()},
@@ -61,7 +63,7 @@ Json memory(const Survey& s) {
                          {"ram_keep_bytes", t.keep_bytes},
                          {"ram_replay_bytes", t.replay_bytes}});
     for (const BandMemory& b : s.bands) bands.push_back({{"rows", b.rows}, {"bytes", b.bytes}});
-    return {{"flash_mesh_bytes", s.mesh_bytes}, {"tiers", tiers}, {"bands", bands}};
+    return {{"flash_mesh_bytes", s.mesh_bytes}, {"flash_picture_bytes", s.picture_bytes}, {"tiers", tiers}, {"bands", bands}};
 }
 
 Json vector(const glm::dvec3& v) { return {v.x, v.y, v.z}; }

@@ -1,6 +1,8 @@
 // What a scene takes in flash and in RAM, from the sizes of the core's own types.
 #pragma once
 
+#include <map>
+
 #include "shade16/shade16.hpp"
 
 namespace shade16::host {
@@ -16,6 +18,18 @@ inline std::size_t mesh_bytes(const Scene& scene) {
         sum += m.positions.count * sizeof(Position16) + m.normals.count * sizeof(Normal14) +
                m.colors.count * sizeof(Rgb) + m.texcoords.count * sizeof(TexCoord16) + m.triangles.count * sizeof(Triangle);
     }
+    return sum;
+}
+
+/// The texels and slopes that the scene's materials look at, each once.
+inline std::size_t picture_bytes(const Scene& scene) {
+    std::map<const void*, std::size_t> pictures;
+    const auto add = [&](const auto* map) {
+        if (map != nullptr) pictures[map->texels.first] = map->texels.count * sizeof(*map->texels.first);
+    };
+    for (const Object& object : scene.objects) add(object.material.texture), add(object.material.bump);
+    std::size_t sum = 0;
+    for (const auto& [texels, bytes] : pictures) sum += bytes;
     return sum;
 }
 

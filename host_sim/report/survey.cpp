@@ -56,6 +56,7 @@ Survey survey(const Scene& scene, const std::string& source, const std::vector<s
     s.lights = scene.lights.count;
     measure_extents(s, scene);
     s.needs = needs_of(scene);
+    s.picture_bytes = picture_bytes(scene);
     s.mesh_bytes = mesh_bytes(scene);
     s.tiers = {tier_memory<lowp>(scene), tier_memory<mediump>(scene), tier_memory<highp>(scene)};
     s.viewport = viewport;

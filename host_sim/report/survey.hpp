@@ -32,6 +32,7 @@ struct Survey {
     std::size_t vertices = 0, triangles = 0, materials = 0, lights = 0;
     glm::dvec3 low{}, high{};  // of all objects, as the scene's own poses place them
     Needs needs{};
+    std::size_t picture_bytes = 0;
     std::size_t mesh_bytes = 0;
     std::vector<TierMemory> tiers{};
     Viewport viewport{};

@@ -9,6 +9,7 @@
 #include "host_sim/model/header_text.hpp"
 #include "host_sim/model/identifier.hpp"
 #include "host_sim/model/map_texts.hpp"
+#include "host_sim/report/memory.hpp"
 #include "host_sim/scene_file/scene_values.hpp"
 #include "host_sim/scene_file/shape_text.hpp"
 
@@ -216,6 +217,7 @@ MeshFigures mesh_figures(const LoadedScene& scene) {
         sum.triangles += part.triangles.size();
         sum.flash_bytes += part.flash_bytes();
     }
+    sum.flash_bytes += picture_bytes(scene.scene());
     return sum;
 }
 

@@ -49,14 +49,14 @@ TEST(MtlImport, ambient_follows_diffuse_when_absent_or_one_but_not_when_black) {
 
 TEST(MtlImport, what_cannot_be_drawn_is_said_once) {
     std::vector<std::string> warnings;
-    const ModelPart part = part_with("Kd 2 0 0\nKs 1 1 1\nNs 5000\nd 0.5\nillum 4\nmap_Kd wall.png\n", &warnings);
+    const ModelPart part = part_with("Kd 2 0 0\nKs 1 1 1\nNs 5000\nd 0.5\nillum 4\nmap_Ks wall.png\n", &warnings);
     EXPECT_EQ(part.material.shininess, Q16(1000));
     EXPECT_EQ(part.material.diffuse, rgb(0xFF0000));
-    EXPECT_THAT(part.notes, ElementsAre("map_Kd wall.png", "Transparency (d) 0.5", "illum 4"));
+    EXPECT_THAT(part.notes, ElementsAre("map_Ks wall.png", "Transparency (d) 0.5", "illum 4"));
     EXPECT_THAT(warnings,
                 ElementsAre("A colour outside of 0 to 1 was clamped (material m).",
                             "Ns 5000 is drawn as Ns 1000, as exponents go from 1 to 1000 (material m).",
-                            "map_Kd is not drawn (material m).", "Transparency (d) is not drawn (material m).",
+                            "map_Ks is not drawn (material m).", "Transparency (d) is not drawn (material m).",
                             "illum 4 is drawn as illum 2 (material m)."));
     part_with("Ns 0\nKs 0 0 0\n", &warnings);
     EXPECT_THAT(warnings, IsEmpty()) << "an exponent without a specular colour does not matter";

@@ -47,6 +47,27 @@ constexpr Object smooth_and_others[] = {
     {.mesh = colored(quad.mesh()), .material = by_pixel({.diffuse = white, .specular = white}), .pose = {.rotation = rotate_x(-70_deg), .scale = {2, 2, 2}, .translation = {0, -0.5_q16, 0}}},
     {.mesh = cube.mesh(), .material = *find_material("emerald"), .pose = {.rotation = rotate_y(20_deg), .scale = {0.3_q16, 0.3_q16, 0.3_q16}, .translation = {1, 0, 0}}}};
 
+constexpr uint16_t checks[] = {0xF800, 0x07E0, 0x001F, 0xFFFF, 0x8410, 0xFFE0, 0xF81F, 0x0000};
+constexpr Slope8 bumps[] = {{40, 0}, {0, -90}, {-127, 30}, {12, 127}};
+constexpr Texture chequers{checks, 2, 1};
+constexpr SlopeMap relief{bumps, 1, 1, 6};
+constexpr Material textured(Material m, Filter filter, Mapping mapping, const SlopeMap* bump = nullptr) {
+    m.texture = &chequers, m.bump = bump;
+    m.filter = filter, m.mapping = mapping;
+    return m;
+}
+constexpr Object crates[] = {
+    {.mesh = textured_cube.mesh(), .material = textured(*find_material("pearl"), Filter::nearest, Mapping::perspective), .pose = {.rotation = rotate_y(30_deg)}}};
+constexpr Object crates_and_others[] = {
+    {.mesh = textured_cube.mesh(), .material = textured(*find_material("brass"), Filter::bilinear, Mapping::perspective), .pose = {.rotation = rotate_y(20_deg), .scale = {1, 0.5_q16, 1}}},
+    {.mesh = colored(textured_quad.mesh()), .material = textured({.diffuse = white, .shading = Shading::flat}, Filter::nearest, Mapping::affine), .pose = {.scale = {2, 2, 2}, .translation = {0, 0, -0.5_q16}}},
+    {.mesh = textured_sphere<8, 6>.mesh(), .material = by_pixel(textured(*find_material("ruby"), Filter::bilinear, Mapping::affine, &relief)), .pose = {.scale = {0.6_q16, 0.7_q16, 0.6_q16}, .translation = {0.6_q16, 0, 0.6_q16}}},
+    {.mesh = textured_torus<12, 6>.mesh(), .material = textured({.diffuse = white, .unlit = true}, Filter::nearest, Mapping::perspective), .pose = {.scale = {0.5_q16, 0.5_q16, 0.5_q16}, .translation = {-0.7_q16, 0.5_q16, 0.6_q16}}},
+    {.mesh = torus<24, 12>.mesh(), .material = *find_material("emerald")}};
+constexpr Object floor_alone[] = {
+    {.mesh = textured_quad.mesh(), .material = by_pixel(textured({.diffuse = white}, Filter::bilinear, Mapping::perspective, &relief), NormalPath::spherical),
+     .pose = {.rotation = rotate_x(-80_deg), .scale = {8, 8, 8}, .translation = {0, -1, 0}}}};
+
 constexpr Scene torus_scene{.camera = near_by, .lights = lamps, .objects = brass_torus, .background = rgb(0x102040)};
 constexpr Scene flat_scene{.lights = sun, .objects = flat_sphere};
 constexpr Scene cube_scene{.camera = {.eye = {2, 2, 4}}, .objects = unlit_cube};
@@ -60,6 +81,11 @@ constexpr Scene lamp_scene{.camera = near_by, .lights = lamps, .objects = smooth
 constexpr Scene round_scene{.camera = near_by, .lights = lamps, .objects = round_torus};
 constexpr Scene mixed_scene{.camera = near_by, .lights = lamps, .objects = smooth_and_others, .background = rgb(0x203020)};
 constexpr Scene clipped_scene{.camera = {.eye = {1, 0.4_q16, 1}, .near_distance = 0.8_q16}, .lights = lamps, .objects = smooth_and_others};
+
+constexpr Scene crate_scene{.camera = near_by, .lights = sun, .objects = crates};
+constexpr Scene textured_scene{.camera = near_by, .lights = lamps, .objects = crates_and_others, .background = rgb(0x203020)};
+constexpr Scene clipped_textured_scene{.camera = {.eye = {1.1_q16, 0.4_q16, 1}, .near_distance = 0.7_q16}, .lights = lamps, .objects = crates_and_others};
+constexpr Scene floor_scene{.camera = {.eye = {0, 0, 3}, .near_distance = 0.5_q16}, .lights = sun, .objects = floor_alone};
 
 template <class Renderer, class Format>
 std::vector<typename Format::Pixel> frame_of(Renderer& renderer, int32_t rows = screen.height) {
@@ -93,7 +119,8 @@ struct Named {
 template <class S>
 class OnePicture : public testing::Test {};
 using Scenes = testing::Types<Named<torus_scene>, Named<flat_scene>, Named<cube_scene>, Named<egg_scene>, Named<map_scene>, Named<crowd_scene>, Named<inside_scene>,
-                              Named<smooth_scene>, Named<lamp_scene>, Named<round_scene>, Named<mixed_scene>, Named<clipped_scene>>;
+                              Named<smooth_scene>, Named<lamp_scene>, Named<round_scene>, Named<mixed_scene>, Named<clipped_scene>,
+                              Named<crate_scene>, Named<textured_scene>, Named<clipped_textured_scene>, Named<floor_scene>>;
 TYPED_TEST_SUITE(OnePicture, Scenes);
 
 TYPED_TEST(OnePicture, ShowsSomething) {
@@ -190,13 +217,18 @@ TEST(Renderer, SurvivesRandomScenes) {
         for (uint32_t k = random() % 4; k > 0; --k)
             lights.push_back({.kind = static_cast<LightKind>(random() % 3), .position = vec(), .intensity = Scaled{static_cast<uint32_t>(random()) | 0x80000000u, static_cast<int>(random() % 40) - 20},
                               .space = static_cast<Space>(random() % 3), .attenuation = {any(), any(), any()}});
-        Mesh mesh = random() % 2 ? torus<24, 12>.mesh() : cube.mesh();
+        Mesh mesh = random() % 2 ? torus<24, 12>.mesh() : random() % 2 ? textured_torus<12, 6>.mesh() : textured_cube.mesh();
+        mesh.texcoord_bits = static_cast<int8_t>(random() % 16);
         mesh.fraction_bits = static_cast<int8_t>(random() % 31);
         mesh.centre = vec();
         Object object{.mesh = mesh, .material = classic_materials[random() % 24].material, .pose = {rotate_x({static_cast<uint32_t>(random())}), {any(), any(), any()}, vec()}};
         object.material.shading = static_cast<Shading>(random() % 3);
         object.material.normal_path = static_cast<NormalPath>(random() % 2);
         object.material.shininess = any();
+        if (random() % 2) object.material.texture = &chequers;
+        if (random() % 2) object.material.bump = &relief;
+        object.material.filter = static_cast<Filter>(random() % 2), object.material.mapping = static_cast<Mapping>(random() % 2);
+        object.material.unlit = random() % 8 == 0;
         const Scene scene{.camera = {vec(), vec(), vec(), static_cast<Projection>(random() % 2), static_cast<Viewer>(random() % 2), {static_cast<uint32_t>(random())}, any(), any(), any()},
                           .lights = {lights.data(), static_cast<uint32_t>(lights.size())}, .objects = {&object, 1}};
         const Viewport viewport{1 + static_cast<int>(random() % 48), 1 + static_cast<int>(random() % 32)};
