@@ -81,7 +81,7 @@ void judge_pixel(Comparison& result, const glm::dvec3& shown, const reference::S
     Verdict best = verdict_at({});
     if (detail::has_texture(object) || detail::has_bump(object)) {
         const Verdict exact = best;
-        const double e = texel_error(object, viewport);
+        const double e = texel_error(object, viewport) + 0x1p-15;  // of a bilinear weight
         double spread = 0;  // between texels colours run linearly: an error of place is one of colour
         for (const glm::dvec2& shift : {glm::dvec2(-e, -e), glm::dvec2(e, -e), glm::dvec2(-e, e), glm::dvec2(e, e)}) {
             const Verdict other = verdict_at(shift);
@@ -91,7 +91,7 @@ void judge_pixel(Comparison& result, const glm::dvec3& shown, const reference::S
         if (object.material.filter == Filter::bilinear) best = exact, best.bound_levels += spread;
         else if (exact.holds()) best = exact;
         ++result.textured_pixels;
-        result.other_texel += !exact.holds() && best.holds();
+        result.other_texel += object.material.filter == Filter::nearest && !exact.holds() && best.holds();
     }
     result.pixels.add(best.error_levels, best.bound_levels);
 }

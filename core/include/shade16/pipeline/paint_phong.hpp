@@ -34,7 +34,7 @@ struct PixelLight {
         if constexpr (N.bump)
             if (maps.bump != nullptr) {
                 const auto slope = maps.template slope<N>(at);
-                normal = turned<Tier>(normal, tangents, slope.s, slope.t, maps.bump->fraction_bits + 8);
+                normal = turned<Tier>(normal, tangents, slope.s, slope.t, maps.bump->fraction_bits + 15);
             }
         ColorFactor factor{};
         const bool has_factor = set_factor(factor, s, at);

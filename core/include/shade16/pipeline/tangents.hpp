@@ -54,8 +54,8 @@ SHADE16_INLINE constexpr IVec3 as_q26(const Normal14& n) { return {int32_t{n.x.r
 SHADE16_INLINE constexpr IVec3 as_q26(const Normal30& n) { return {n.x.raw >> 4, n.y.raw >> 4, n.z.raw >> 4}; }
 }  // namespace detail
 
-/// A unit normal turned by a relief: n + along_s * slope.s + along_t * slope.t, normalised. Slopes have `bits` fraction bits, 12 to
-/// 19, and are at most 8. A zero normal stays zero.
+/// A unit normal turned by a relief: n + along_s * slope.s + along_t * slope.t, normalised. Slopes have `bits` fraction bits, 19 to
+/// 26, and are at most 8. A zero normal stays zero.
 template <PrecisionTier Tier>
 constexpr UnitVector<Tier> turned(const UnitVector<Tier>& normal, const FaceTangents& face, int32_t slope_s, int32_t slope_t, int bits) {
     const IVec3 n = detail::as_q26(normal);
