@@ -48,6 +48,11 @@ void add_crease(CLI::App& app, std::optional<double>& crease) {
         [&](const std::string& word) { crease = crease_of(word); });
 }
 
+void add_component(CLI::App& app, Component& component) {
+    add(app, "--component", "WORD", "of the light: all, or ambient, diffuse or specular alone [all]",
+        [&](const std::string& word) { component = component_of(word); });
+}
+
 template <class Options>
 void add_look(CLI::App& app, Options& o) {
     add(app, "--size", "WxH", "pixels [320x240]", [&](const std::string& word) { o.size = size_of(word); });
@@ -74,6 +79,7 @@ void add_render(CLI::App& app, RenderOptions& o) {
     add(app, "--engine", "WORD", "fixed, or reference: double precision without tiers and bands [fixed]",
         [&](const std::string& word) { o.engine = engine_of(word); });
     add_look(app, o);
+    add_component(app, o.component);
     add(app, "--scale", "N", "show every pixel as N x N pixels, 1 to 16 [1]",
         [&](const std::string& word) { o.scale = whole_number("--scale", word, 1, 16); });
     add_flag(app, "--quiet", o.quiet, "print errors only");
@@ -88,6 +94,7 @@ void add_compare(CLI::App& app, CompareOptions& o) {
     add(app, "--frames", "N", "of one turn [8]",
         [&](const std::string& word) { o.frames = whole_number("--frames", word, 1, 100'000); });
     add_look(app, o);
+    add_component(app, o.component);
     add_flag(app, "--quiet", o.quiet, "print no warnings and no progress");
     add_json(app, o.json);
 }
@@ -117,6 +124,7 @@ void add_preview(CLI::App& app, PreviewOptions& o) {
     add_tier(app, o.tier, "lowp, mediump or highp [mediump]");
     add_shading(app, o.shading);
     add_crease(app, o.crease);
+    add_component(app, o.component);
 }
 
 /// Help that begins with examples; a list of commands has one line for each.

@@ -20,7 +20,7 @@ Comparison comparison(const AnimatedScene& scene, const CompareOptions& o) {
     for (int i = 0; i < o.frames; ++i) {
         progress.begin(i);
         const std::vector<Pose> poses = scene.poses(turn_of(i, o.frames));
-        compare_frame<Tier>(result, exact, original, {.camera = nullptr, .lights = nullptr, .poses = poses.data()},
+        compare_frame<Tier>(result, exact, original, {.camera = nullptr, .lights = nullptr, .poses = poses.data(), .component = o.component},
                             o.size);
     }
     return result;

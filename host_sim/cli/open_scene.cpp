@@ -72,6 +72,8 @@ std::string dumped(const OpenScene& scene, const RenderOptions& o) {
     if (o.shading)
         throw input_error(
             "--dump-scene: a scene file says shading material by material; expected no --shading beside it.");
+    if (o.component != Component::all)
+        throw input_error("--dump-scene: a scene file has no component; expected no --component beside it.");
     SceneDescription description = scene.description;
     description.output = {o.size, o.format, o.tier, o.frames, o.fps, o.band_rows};
     return dump_scene(description);

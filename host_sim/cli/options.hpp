@@ -6,7 +6,7 @@
 #include <string>
 
 #include "shade16/pipeline/transform.hpp"
-#include "shade16/scene/material.hpp"
+#include "shade16/scene/scene.hpp"
 
 namespace shade16::host {
 
@@ -19,6 +19,7 @@ struct RenderOptions {
     std::string tier = "mediump", format = "rgb565";
     std::optional<Shading> shading{};  // the material's own without it
     std::optional<double> crease{};    // degrees; the model's own normals without it
+    Component component = Component::all;
     Engine engine = Engine::fixed;
     Viewport size{320, 240};
     int frames = 0;  // 0: as many as suit the kind of output
@@ -35,6 +36,7 @@ struct CompareOptions {
     std::string tier{};  // empty: every one
     std::optional<Shading> shading{};
     std::optional<double> crease{};
+    Component component = Component::all;
     Viewport size{320, 240};
     int frames = 8;
     bool quiet = false, json = false;
@@ -52,6 +54,7 @@ struct PreviewOptions {
     std::string tier = "mediump";
     std::optional<Shading> shading{};
     std::optional<double> crease{};
+    Component component = Component::all;
     int frames = 0;  // 0: until somebody ends it
 };
 

@@ -22,7 +22,7 @@ struct Shown {
     Shown(const PreviewOptions& o, Viewport viewport)
         : size(viewport),
           open(open_scene(o, viewport)),
-          turntable(fixed_turntable(*open.scene, viewport, o.tier, Rgb888::name, 0)) {}
+          turntable(fixed_turntable(*open.scene, viewport, o.tier, Rgb888::name, 0, o.component)) {}
 
     std::string text(int frame) {
         const Image image = turntable->draw(turn_of(frame % frames_a_turn, frames_a_turn));

@@ -32,8 +32,8 @@ void refuse_what_does_not_fit(const RenderOptions& o) {
 }
 
 std::unique_ptr<Turntable> turntable_of(const AnimatedScene& scene, const RenderOptions& o) {
-    if (o.engine == Engine::reference) return reference_turntable(scene, o.size, o.format);
-    return fixed_turntable(scene, o.size, o.tier, o.format, o.band_rows);
+    if (o.engine == Engine::reference) return reference_turntable(scene, o.size, o.format, o.component);
+    return fixed_turntable(scene, o.size, o.tier, o.format, o.band_rows, o.component);
 }
 
 std::string fit_text(const FitFigures& fit) {

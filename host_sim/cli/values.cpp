@@ -55,6 +55,14 @@ Shading shading_of(const std::string& word) {
     return word == "flat" ? Shading::flat : word == "phong" ? Shading::phong : Shading::gouraud;
 }
 
+Component component_of(const std::string& word) {
+    expect_one_of("--component", word, {"all", "ambient", "diffuse", "specular"});
+    return word == "ambient"    ? Component::ambient
+           : word == "diffuse"  ? Component::diffuse
+           : word == "specular" ? Component::specular
+                                : Component::all;
+}
+
 double crease_of(const std::string& word) {
     double degrees = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), degrees);

@@ -15,6 +15,7 @@ int whole_number(std::string_view option, const std::string& word, int least, in
 Viewport size_of(const std::string& word);
 
 Shading shading_of(const std::string& word);
+Component component_of(const std::string& word);
 double crease_of(const std::string& word);  // degrees
 Engine engine_of(const std::string& word);
 std::string tier_of(const std::string& word);

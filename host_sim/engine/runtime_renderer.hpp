@@ -15,8 +15,8 @@ class RuntimeRenderer {
 public:
     explicit RuntimeRenderer(const Scene& scene)
         : objects_(scene.objects.count), lights_(std::max<std::size_t>(scene.objects.count * scene.lights.count, 1)),
-          vertices_(detail::vertex_count(scene)), faces_(detail::flat_face_count(scene)), split_(detail::split_light_count(scene)),
-          pipeline_({scene, make_tables(scene)}, {objects_.data(), lights_.data(), vertices_.data(), faces_.data(), split_.data(), nullptr, 0}) {}
+          shapes_(lights_.size()), vertices_(detail::vertex_count(scene)), faces_(detail::flat_face_count(scene)), split_(detail::split_light_count(scene)),
+          pipeline_({scene, make_tables(scene)}, {objects_.data(), lights_.data(), vertices_.data(), faces_.data(), split_.data(), nullptr, 0, shapes_.data()}) {}
     RuntimeRenderer(const RuntimeRenderer&) = delete;
     RuntimeRenderer& operator=(const RuntimeRenderer&) = delete;
 
@@ -56,6 +56,7 @@ private:
     std::vector<const Shininess<Tier>*> table_of_object_{};
     std::vector<ObjectState<Tier>> objects_;
     std::vector<ObjectLight<Tier>> lights_;
+    std::vector<LampShape> shapes_;
     std::vector<ScreenVertex<Tier>> vertices_;
     std::vector<FaceColor<Tier>> faces_;
     std::vector<SplitLight> split_;

@@ -20,12 +20,12 @@ void append(std::vector<uint8_t>& bytes, uint16_t p) {
 template <PrecisionTier Tier, PixelFormat Format>
 class FixedTurntable final : public Turntable {
 public:
-    FixedTurntable(const AnimatedScene& scene, Viewport viewport, int band_rows)
-        : scene_(scene), viewport_(viewport), band_rows_(band_rows), renderer_(scene.scene()) {}
+    FixedTurntable(const AnimatedScene& scene, Viewport viewport, int band_rows, Component component)
+        : scene_(scene), viewport_(viewport), band_rows_(band_rows), component_(component), renderer_(scene.scene()) {}
 
     Image draw(Angle turn) override {
         const std::vector<Pose> poses = scene_.poses(turn);
-        renderer_.begin({.camera = nullptr, .lights = nullptr, .poses = poses.data()}, viewport_);
+        renderer_.begin({.camera = nullptr, .lights = nullptr, .poses = poses.data(), .component = component_}, viewport_);
         Image image{viewport_.width, viewport_.height};
         for (const auto& pixel : renderer_.template draw<Format>(band_rows_)) {
             append(image.rgb, as_rgb888<Format>(pixel));
@@ -38,6 +38,7 @@ private:
     const AnimatedScene& scene_;
     Viewport viewport_;
     int band_rows_;
+    Component component_;
     RuntimeRenderer<Tier> renderer_;
 };
 
@@ -53,12 +54,12 @@ typename Format::Pixel rounded(const glm::dvec3& color) {
 template <PixelFormat Format>
 class ReferenceTurntable final : public Turntable {
 public:
-    ReferenceTurntable(const AnimatedScene& scene, Viewport viewport)
-        : scene_(scene), viewport_(viewport), original_(scene.unquantized()) {}
+    ReferenceTurntable(const AnimatedScene& scene, Viewport viewport, Component component)
+        : scene_(scene), viewport_(viewport), component_(component), original_(scene.unquantized()) {}
 
     Image draw(Angle turn) override {
         const std::vector<Pose> poses = scene_.poses(turn);
-        const Frame frame{.camera = nullptr, .lights = nullptr, .poses = poses.data()};
+        const Frame frame{.camera = nullptr, .lights = nullptr, .poses = poses.data(), .component = component_};
         Image image{viewport_.width, viewport_.height};
         for (const glm::dvec3& color : reference::draw(original_, frame, viewport_).color) {
             append(image.rgb, rounded<Rgb888>(color));
@@ -70,23 +71,25 @@ public:
 private:
     const AnimatedScene& scene_;
     Viewport viewport_;
+    Component component_;
     reference::Scene original_;
 };
 
 }  // namespace
 
 std::unique_ptr<Turntable> fixed_turntable(const AnimatedScene& scene, Viewport viewport, std::string_view tier,
-                                           std::string_view format, int band_rows) {
+                                           std::string_view format, int band_rows, Component component) {
     return with_tier(tier, [&]<class Tier>(Tier) {
         return with_format(format, [&]<class Format>(Format) -> std::unique_ptr<Turntable> {
-            return std::make_unique<FixedTurntable<Tier, Format>>(scene, viewport, band_rows);
+            return std::make_unique<FixedTurntable<Tier, Format>>(scene, viewport, band_rows, component);
         });
     });
 }
 
-std::unique_ptr<Turntable> reference_turntable(const AnimatedScene& scene, Viewport viewport, std::string_view format) {
+std::unique_ptr<Turntable> reference_turntable(const AnimatedScene& scene, Viewport viewport, std::string_view format,
+                                               Component component) {
     return with_format(format, [&]<class Format>(Format) -> std::unique_ptr<Turntable> {
-        return std::make_unique<ReferenceTurntable<Format>>(scene, viewport);
+        return std::make_unique<ReferenceTurntable<Format>>(scene, viewport, component);
     });
 }
 

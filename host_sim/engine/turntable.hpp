@@ -21,9 +21,11 @@ public:
 
 /// The fixed-point engine: the very pixels of the target, in bands of so many rows (0: all at once).
 std::unique_ptr<Turntable> fixed_turntable(const AnimatedScene& scene, Viewport viewport, std::string_view tier,
-                                           std::string_view format, int band_rows);
+                                           std::string_view format, int band_rows,
+                                           Component component = Component::all);
 
 /// Double precision on the file's own mesh, rounded once at the end: to 8 bits a channel, and to the format for raw.
-std::unique_ptr<Turntable> reference_turntable(const AnimatedScene& scene, Viewport viewport, std::string_view format);
+std::unique_ptr<Turntable> reference_turntable(const AnimatedScene& scene, Viewport viewport, std::string_view format,
+                                               Component component = Component::all);
 
 }  // namespace shade16::host

@@ -133,6 +133,7 @@ std::string material_text(const Material& m, const MapNames& maps) {
     if (m.specular != plain.specular) fields.add("specular", literal(m.specular));
     if (m.emissive != plain.emissive) fields.add("emissive", literal(m.emissive));
     if (m.shininess != plain.shininess) fields.add("shininess", literal(m.shininess));
+    if (m.reflection == Reflection::phong) fields.add("reflection", "shade16::Reflection::phong");
     if (m.shading == Shading::flat) fields.add("shading", "shade16::Shading::flat");
     if (m.shading == Shading::phong) fields.add("shading", "shade16::Shading::phong");
     if (m.normal_path == NormalPath::spherical) fields.add("normal_path", "shade16::NormalPath::spherical");

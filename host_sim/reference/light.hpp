@@ -1,4 +1,4 @@
-// Stage 3 in double precision: ambient + Lambert + Blinn-Phong at one point, in the world. Same names and order as
+// Stage 3 in double precision: ambient + Lambert + Blinn-Phong or Phong at one point, in the world. Same names and order as
 // core/include/shade16/pipeline/light.hpp.
 #pragma once
 
@@ -19,8 +19,8 @@ struct SurfacePoint {
 struct LightShare {
     glm::dvec3 diffuse{}, specular{};  // specular as if the gate were open
     double n_dot_l = 0;
-    double half_length = 2;  // |L + V|
-    double arriving = 0;     // the light's intensity here, attenuation included
+    double half_length = 2;  // |L + V| of a Blinn-Phong highlight; a mirrored vector needs no such care
+    double arriving = 0;     // the light's intensity here: attenuation, range and cone included
 };
 
 /// A point's colour in parts: base + color * diffuse + specular, not saturated.

@@ -52,7 +52,7 @@ LightParts light_vertex(const Scene& scene, const Frame& frame, std::size_t obje
     point.position = to_world(pose, mesh.positions[vertex]);
     if (!mesh.normals.empty()) point.normal = normal_to_world(pose, mesh.normals[vertex]);
     if (!mesh.colors.empty()) point.color = mesh.colors[vertex];
-    return light_point(values.camera, values.lights, scene.values.objects[static_cast<uint32_t>(object)].material, pose, point);
+    return light_point(values.camera, values.lights, values.material(scene.values, object), pose, point);
 }
 
 LightParts light_face(const Scene& scene, const Frame& frame, std::size_t object, uint32_t face) {
@@ -65,7 +65,7 @@ LightParts light_face(const Scene& scene, const Frame& frame, std::size_t object
     point.position = to_world(pose, (a + b + c) / 3.0);
     point.normal = normal_to_world(pose, glm::cross(b - a, c - a));
     if (!mesh.colors.empty()) point.color = (mesh.colors[t.a] + mesh.colors[t.b] + mesh.colors[t.c]) / 3.0;
-    return light_point(values.camera, values.lights, scene.values.objects[static_cast<uint32_t>(object)].material, pose, point);
+    return light_point(values.camera, values.lights, values.material(scene.values, object), pose, point);
 }
 
 namespace {
@@ -115,7 +115,7 @@ LightParts light_phong_surface(const Scene& scene, const Frame& frame, std::size
         const Tangents tangents = face_tangents(positions, face.at);
         point.normal = glm::normalize(point.normal + maps.slope.x * tangents.along_s + maps.slope.y * tangents.along_t);
     }
-    return light_point(values.camera, values.lights, object.material, pose, point);
+    return light_point(values.camera, values.lights, values.material(scene.values, o), pose, point);
 }
 
 /// Light of the corners, interpolated in two sums. The one share left stands for all that arrives.
@@ -163,7 +163,7 @@ Picture draw(const Scene& scene, const Frame& frame, Viewport viewport) {
     Picture picture(viewport, value(scene.values.background));
     for (std::size_t o = 0; o < scene.meshes.size(); ++o) {
         const Mesh& mesh = scene.meshes[o];
-        const Material& material = scene.values.objects[static_cast<uint32_t>(o)].material;
+        const Material material = values.material(scene.values, o);
         const bool flat = detail::is_flat(material), by_pixel = is_by_pixel(scene.values.objects[static_cast<uint32_t>(o)]);
         std::vector<Corner> corners;
         for (uint32_t i = 0; i < mesh.positions.size(); ++i)

@@ -14,13 +14,16 @@ struct FrameValues {
     const Camera& camera;
     shade16::View<Light> lights;
     const Pose* poses;  // nullptr: the objects' own
+    Component component;
 
     FrameValues(const shade16::Scene& scene, const Frame& frame)
         : camera(frame.camera != nullptr ? *frame.camera : scene.camera),
-          lights(frame.lights != nullptr ? frame.lights : scene.lights.first, scene.lights.count), poses(frame.poses) {}
+          lights(frame.lights != nullptr ? frame.lights : scene.lights.first, scene.lights.count), poses(frame.poses),
+          component(frame.component) {}
     const Pose& pose(const shade16::Scene& scene, std::size_t object) const {
         return poses != nullptr ? poses[object] : scene.objects[static_cast<uint32_t>(object)].pose;
     }
+    Material material(const shade16::Scene& scene, std::size_t object) const { return part_of(scene.objects[static_cast<uint32_t>(object)].material, component); }
 };
 
 /// The light at a vertex, and at a face's centre with the face's own normal, in parts.

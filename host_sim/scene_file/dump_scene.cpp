@@ -70,18 +70,28 @@ void add_camera(Dump& to, const Camera& c) {
 
 void add_light(Dump& to, const Light& l) {
     const char* const spaces[] = {"world", "view", "object"};
+    const char* const kinds[] = {"ambient", "directional", "point", "spot"};
     to.table("[[lights]]");
-    to.word("kind", l.kind == LightKind::ambient ? "ambient" : l.kind == LightKind::point ? "point" : "directional");
+    to.word("kind", kinds[static_cast<std::size_t>(l.kind)]);
     to.key(l.kind == LightKind::ambient ? "color" : "diffuse", list(l.diffuse));
     to.key("intensity", decimal(l.intensity));
     if (l.kind == LightKind::ambient) return;
     to.key("specular", list(l.specular));
-    to.key(l.kind == LightKind::point ? "position" : "direction", list(l.position));
+    to.key(l.is_lamp() ? "position" : "direction", list(l.position));
     to.word("space", spaces[static_cast<std::size_t>(l.space)]);
-    if (l.kind == LightKind::point)
-        to.key("attenuation",
-               fmt::format("{{ constant = {}, linear = {}, quadratic = {} }}", decimal(l.attenuation.constant),
-                           decimal(l.attenuation.linear), decimal(l.attenuation.quadratic)));
+    if (l.is_lamp()) {
+        const Attenuation& a = l.attenuation;
+        to.key("attenuation", fmt::format("{{ constant = {}, linear = {}, quadratic = {}, power = {} }}",
+                                          decimal(a.constant), decimal(a.linear), decimal(a.quadratic),
+                                          decimal(a.power)));
+        to.key("range", decimal(l.range));
+    }
+    if (l.kind == LightKind::spot) {
+        to.key("direction", list(l.spot.direction));
+        to.key("inner", decimal_degrees(l.spot.inner));
+        to.key("outer", decimal_degrees(l.spot.outer));
+        to.key("exponent", decimal(l.spot.exponent));
+    }
 }
 
 void add_material(Dump& to, const MaterialDescription& d) {
@@ -92,6 +102,7 @@ void add_material(Dump& to, const MaterialDescription& d) {
     to.key("specular", list(m.specular));
     to.key("emissive", list(m.emissive));
     to.key("shininess", decimal(m.shininess));
+    to.word("reflection", m.reflection == Reflection::phong ? "phong" : "blinn_phong");
     to.word("shading", m.shading == Shading::flat ? "flat" : m.shading == Shading::phong ? "phong" : "gouraud");
     to.word("normals", m.normal_path == NormalPath::spherical ? "spherical" : "linear");
     const auto picture = [&](const char* key, const std::string& path) {

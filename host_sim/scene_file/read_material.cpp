@@ -19,8 +19,8 @@ public:
     MaterialDescription read(const TomlEntry& entry, std::vector<std::string> likes = {}) const {
         const TableReader table =
             tables_.reader(fmt::format("material '{}'", entry.key), entry.value,
-                           {"like", "ambient", "diffuse", "specular", "emissive", "shininess", "shading", "normals", "texture",
-                            "bump", "bump_strength", "filter", "mapping", "alpha", "unlit"});
+                           {"like", "ambient", "diffuse", "specular", "emissive", "shininess", "reflection", "shading", "normals",
+                            "texture", "bump", "bump_strength", "filter", "mapping", "alpha", "unlit"});
         if (entry.key == own_material)
             throw input_error("{}:{}: material '{}' is what a model's own materials are called; expected another name.",
                               tables_.file, entry.line, entry.key);
@@ -37,6 +37,8 @@ public:
         table.read("specular", material.specular);
         table.read("emissive", material.emissive);
         table.read("shininess", material.shininess, exponents);
+        if (const auto i = table.word("reflection", {"blinn_phong", "phong"}))
+            material.reflection = static_cast<Reflection>(*i);
         if (const auto i = table.word("shading", {"flat", "gouraud", "phong"}))
             material.shading = static_cast<Shading>(*i);
         if (const auto i = table.word("normals", {"linear", "spherical"}))

@@ -28,7 +28,25 @@ void add(Fields& to, const char* key, Rgb value, Rgb usual) {
 }
 
 std::string attenuation_text(const Attenuation& a) {
-    return fmt::format("{{{}, {}, {}}}", literal(a.constant), literal(a.linear), literal(a.quadratic));
+    const std::string power = a.falls_off() ? ", " + literal(a.power) : "";
+    return fmt::format("{{{}, {}, {}{}}}", literal(a.constant), literal(a.linear), literal(a.quadratic), power);
+}
+std::string remark(const Attenuation& a) {
+    const std::string text = remark(Vec3{a.constant, a.linear, a.quadratic});
+    return is_whole(a.power) ? text : fmt::format("{}{}power {}", text, text.empty() ? "" : "; ", decimal(a.power));
+}
+
+std::string spot_text(const Spot& s) {
+    const Spot usual{};
+    Fields to(nested_columns + field_columns);
+    const auto add_angle = [&](const char* key, Angle value, Angle otherwise) {
+        if (value != otherwise) to.add(key, fmt::format("{{{}u}}", value.turns), decimal_degrees(value) + " degrees");
+    };
+    add(to, "direction", s.direction, usual.direction);
+    add_angle("inner", s.inner, usual.inner);
+    add_angle("outer", s.outer, usual.outer);
+    add(to, "exponent", s.exponent, usual.exponent);
+    return to.braced();
 }
 
 std::string row_text(const Normal30& r) { return fmt::format("{{{{{}}}, {{{}}}, {{{}}}}}", r.x.raw, r.y.raw, r.z.raw); }
@@ -76,8 +94,9 @@ std::string light_text(const Light& l) {
     const Light usual{};
     const char* const spaces[] = {"world", "view", "object"};
     Fields to(nested_columns);
+    const char* const kinds[] = {"ambient", "directional", "point", "spot"};
     if (l.kind != usual.kind)
-        to.add("kind", l.kind == LightKind::ambient ? "shade16::LightKind::ambient" : "shade16::LightKind::point");
+        to.add("kind", fmt::format("shade16::LightKind::{}", kinds[static_cast<std::size_t>(l.kind)]));
     add(to, "position", l.position, usual.position);
     add(to, "diffuse", l.diffuse, usual.diffuse);
     add(to, "specular", l.specular, usual.specular);
@@ -87,8 +106,9 @@ std::string light_text(const Light& l) {
     if (l.space != usual.space)
         to.add("space", fmt::format("shade16::Space::{}", spaces[static_cast<std::size_t>(l.space)]));
     if (l.attenuation != usual.attenuation)
-        to.add("attenuation", attenuation_text(l.attenuation),
-               remark({l.attenuation.constant, l.attenuation.linear, l.attenuation.quadratic}));
+        to.add("attenuation", attenuation_text(l.attenuation), remark(l.attenuation));
+    add(to, "range", l.range, usual.range);
+    if (l.spot != usual.spot) to.add("spot", spot_text(l.spot));
     return to.braced();
 }
 

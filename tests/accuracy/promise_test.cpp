@@ -105,6 +105,28 @@ TYPED_TEST(Promises, HoldForLampsThatFadeWithDistance) {
     this->expect_held(this->search(8, {.attenuation = true}, 100, 8), "attenuation, n <= 128");
 }
 
+TYPED_TEST(Promises, HoldForPhongReflectionTo128) {
+    this->expect_held(this->search(9, {.reflected = true}, 200, 12), "Phong reflection, n <= 128");
+}
+TYPED_TEST(Promises, HoldForPhongReflectionTo1000) {
+    this->expect_held(this->search(10, {.min_exponent = 128, .max_exponent = 1000, .reflected = true}, 200, 12), "Phong reflection, n <= 1000");
+}
+TYPED_TEST(Promises, HoldForLampsThatFallOff) {
+    this->expect_held(this->search(11, {.falloff = true}, 100, 8), "falloff 1/d^p");
+}
+TYPED_TEST(Promises, HoldForLampsThatEnd) {
+    this->expect_held(this->search(12, {.range = true}, 100, 8), "range");
+}
+TYPED_TEST(Promises, HoldForSpots) {
+    // The narrowest penumbra of which the promise is made: docs/DESIGN.md.
+    const double narrowest = Arithmetic<TypeParam>::wide ? 1 : 0.1;
+    this->expect_held(this->search(13, {.min_cone_degrees = narrowest}, 600, 12), "spots");
+}
+TYPED_TEST(Promises, HoldForSpotsWithAllTheRest) {
+    this->expect_held(this->search(14, {.lights = 3, .stretch = true, .attenuation = true, .reflected = true, .falloff = true, .range = true, .min_cone_degrees = 1}, 100, 8),
+                      "spots, range, falloff, all");
+}
+
 // A fourth tier, as a user may write it: the code sizes itself from the promise.
 struct fine {
     static constexpr const char* name = "fine";

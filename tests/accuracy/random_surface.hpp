@@ -48,6 +48,9 @@ struct SurfaceOptions {
     int lights = 1;
     bool stretch = false;
     bool attenuation = false;
+    bool reflected = false;  // Phong's highlights
+    bool falloff = false, range = false;
+    double min_cone_degrees = 0;  // above 0: spots, with at least so much between inner and outer
     double max_distance = 400;  // of lights and eye, in model radii
 };
 
@@ -60,6 +63,8 @@ public:
         choose_camera(random, options);
         choose_lights(random, options);
         choose_object(random, options);
+        if (options.reflected) object_.material.reflection = Reflection::phong;
+        for (Light& light : lights_) shape(random, options, light);
         scene_.lights = {lights_.data(), static_cast<uint32_t>(lights_.size())};
         scene_.objects = {&object_, 1};
         for (uint32_t i = 0; i < vertex_count; ++i) aim(random, i);
@@ -128,6 +133,46 @@ private:
         object_.mesh.normals = normals_;
         object_.mesh.fraction_bits = static_cast<int8_t>(random.integer(12, 18));
     }
+    /// Some point where vertices may be, in the world.
+    glm::dvec3 any_point(Random& random) const {
+        const double reach = std::ldexp(1.0, 15 - object_.mesh.fraction_bits);
+        return reference::to_world(object_.pose, {random.uniform(-reach, reach), random.uniform(-reach, reach), random.uniform(-reach, reach)});
+    }
+    /// Lamps with a falloff, a range, a cone, at whose edges there are vertices; strong enough to arrive at about 1.0.
+    void shape(Random& random, const SurfaceOptions& options, Light& light) {
+        const bool spot = options.min_cone_degrees > 0;
+        if (light.kind == LightKind::ambient || !(options.falloff || options.range || spot)) return;
+        light.kind = spot ? LightKind::spot : LightKind::point;
+        const glm::dmat3 view_to_world = glm::transpose(reference::make_view(scene_.camera, {1, 1}).rotation);
+        const glm::dvec3 given = reference::value(light.position), target = any_point(random);
+        const glm::dvec3 place = light.space == Space::world ? given
+                                 : light.space == Space::view ? reference::value(scene_.camera.eye) + view_to_world * given
+                                                              : reference::to_world(object_.pose, given);
+        const double distance = glm::length(target - place);
+        double arriving = 1;
+        if (options.falloff) {
+            light.attenuation.power = q16(random.uniform(0.01, 2));
+            arriving *= std::pow(distance, -reference::value(light.attenuation.power));
+        }
+        if (options.range) {
+            const double share = random.uniform(0.3, 1);
+            light.range = q16(std::clamp(distance / share, 0.01, 30000.0));
+            if (random.coin()) arriving *= std::max(std::pow(1 - share * share, 2), 1e-3);
+        }
+        light.intensity = Scaled::normalized(static_cast<uint64_t>(std::clamp(1 / arriving, 1e-3, 1e9) * 65536), -16);
+        if (!spot) return;
+        const double between = random.log_uniform(options.min_cone_degrees, 60);
+        const double inner = random.coin() ? random.uniform(0, 89 - between > 0 ? 89 - between : 0) : random.uniform(0, 2);
+        const auto angle = [](double degrees) { return Angle{static_cast<uint32_t>(std::llround(degrees / 360 * 4294967296.0))}; };
+        light.spot.inner = angle(inner), light.spot.outer = angle(inner + between);
+        if (random.coin()) light.spot.exponent = q16(random.log_uniform(1, 128));
+        const double off = glm::radians(random.uniform(random.coin() ? inner : 0, inner + between));
+        const glm::dvec3 to_target = glm::normalize(target - place), aside = glm::normalize(glm::cross(to_target, random.direction()));
+        const glm::dvec3 axis = (std::cos(off) * to_target + std::sin(off) * aside) * random.log_uniform(0.1, 100);
+        light.spot.direction = vec3(light.space == Space::world  ? axis
+                                    : light.space == Space::view ? glm::transpose(view_to_world) * axis
+                                                                 : glm::transpose(reference::value(object_.pose.rotation)) * axis);
+    }
     glm::dvec3 half_vector(Random& random, uint32_t i) {
         const reference::Scene exact{scene_, {reference::value(object_.mesh)}};
         const glm::dvec3 p = reference::to_world(object_.pose, exact.meshes[0].positions[i]);
@@ -135,9 +180,9 @@ private:
         const glm::dvec3 viewer = scene_.camera.sees_locally() ? glm::normalize(reference::value(scene_.camera.eye) - p) : to_world[2];
         const Light& light = lights_[static_cast<std::size_t>(random.integer(0, static_cast<int>(lights_.size()) - 1))];
         glm::dvec3 l = reference::value(light.position);
-        if (light.space == Space::view) l = to_world * l + (light.kind == LightKind::point ? reference::value(scene_.camera.eye) : glm::dvec3(0));
-        if (light.space == Space::object) l = light.kind == LightKind::point ? reference::to_world(object_.pose, l) : reference::value(object_.pose.rotation) * l;
-        if (light.kind == LightKind::point) l -= p;
+        if (light.space == Space::view) l = to_world * l + (light.is_lamp() ? reference::value(scene_.camera.eye) : glm::dvec3(0));
+        if (light.space == Space::object) l = light.is_lamp() ? reference::to_world(object_.pose, l) : reference::value(object_.pose.rotation) * l;
+        if (light.is_lamp()) l -= p;
         return glm::normalize(l) + viewer;
     }
 

@@ -32,7 +32,8 @@ inline bool same(const Mesh& a, const Mesh& b) {
 
 inline bool same(const Light& a, const Light& b) {
     return a.kind == b.kind && a.position == b.position && a.diffuse == b.diffuse && a.specular == b.specular &&
-           a.intensity == b.intensity && a.space == b.space && a.attenuation == b.attenuation;
+           a.intensity == b.intensity && a.space == b.space && a.attenuation == b.attenuation &&
+           a.range == b.range && a.spot == b.spot;
 }
 
 inline bool same(const Camera& a, const Camera& b) {

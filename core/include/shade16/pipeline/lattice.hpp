@@ -74,7 +74,7 @@ struct LightingFrame {
         const auto scaled = [](Q16 v) { return Scaled::normalized(magnitude(max(v.raw, int32_t{0})), -16); };
         Scaled unit = reciprocal(inverse_scale);  // world units a lattice step
         unit.exponent = static_cast<int16_t>(unit.exponent - bits);
-        return {a != Attenuation{}, scaled(a.constant), scaled(a.linear) * unit, scaled(a.quadratic) * unit * unit};
+        return {a.fades(), scaled(a.constant), scaled(a.linear) * unit, scaled(a.quadratic) * unit * unit};
     }
     /// A direction in the world.
     constexpr Normal30 direction(const Normal30& world) const { return to_object_direction(world); }

@@ -1,7 +1,7 @@
 // Stage 3b, light: ambient + diffuse + specular at one point of one object.
 #pragma once
 
-#include "shade16/pipeline/light_setup.hpp"
+#include "shade16/pipeline/lamp.hpp"
 
 namespace shade16 {
 
@@ -61,19 +61,23 @@ SHADE16_INLINE constexpr uint32_t cosine(const Normal30& a, const Normal30& b) {
     return d <= 0 ? 0 : static_cast<uint32_t>(min<uint64_t>(static_cast<uint64_t>(d) >> 28, UINT32_MAX));
 }
 
-/// u = |N - H|^2 / 2 = 1 - N.H, from the chord: lengths err only relative to u, and sharp highlights stay exact.
-/// Q29 from 16-bit vectors, Q32 from 32-bit ones, saturated.
-/// Source  R. F. Lyon, Phong Shading Reformulation for Hardware Renderer Simplification, 1993.
-SHADE16_INLINE constexpr uint32_t chord(const Normal14& a, const Normal14& b) {
-    const int32_t x = a.x.raw - b.x.raw, y = a.y.raw - b.y.raw, z = a.z.raw - b.z.raw;
-    return static_cast<uint32_t>(x * x) + static_cast<uint32_t>(y * y) + static_cast<uint32_t>(z * z);
+/// u = |R - V|^2 / 2 = 1 - R.V of the mirrored light R = 2(N.L)N - L, in the same units as `chord`. R - V is formed with one bit more
+/// than the 16-bit vectors have; saturated, so that R.V <= 0 gives no highlight.
+SHADE16_INLINE constexpr uint32_t reflected_chord(const Normal14& normal, const Normal14& light, const Normal14& view) {
+    const int32_t cosine = shift_right_round(dot(normal, light), 13);  // Q15
+    const auto squared = [cosine](Unit14 n, Unit14 l, Unit14 v) {
+        const int32_t d = 2 * cosine * n.raw - int32_t{l.raw} * 32768 - int32_t{v.raw} * 32768;  // Q29
+        const uint32_t m = min(magnitude(shift_right_round(d, 14)), uint32_t{65535});
+        return m * m >> 2;
+    };
+    return squared(normal.x, light.x, view.x) + squared(normal.y, light.y, view.y) + squared(normal.z, light.z, view.z);
 }
-SHADE16_INLINE constexpr uint32_t chord(const Normal30& a, const Normal30& b) {
-    // Differences of up to 2.0 in Q29: the square of one is then at most 2^60, and the sum of three at most 2^61.
-    const auto half = [](Q30 p, Q30 q) { return static_cast<int32_t>((int64_t{p.raw} - q.raw) >> 1); };
-    const int32_t x = half(a.x, b.x), y = half(a.y, b.y), z = half(a.z, b.z);
-    const uint64_t squared = static_cast<uint64_t>(multiply(x, x) + multiply(y, y) + multiply(z, z));  // Q58, twice u
-    return static_cast<uint32_t>(min<uint64_t>(squared >> 27, UINT32_MAX));
+SHADE16_INLINE constexpr uint32_t reflected_chord(const Normal30& normal, const Normal30& light, const Normal30& view) {
+    const int32_t cosine = static_cast<int32_t>(shift_right_round(dot(normal, light), 30));
+    const auto difference = [cosine](Q30 n, Q30 l, Q30 v) {
+        return static_cast<int32_t>(shift_right_round(2 * multiply(cosine, n.raw) - ((int64_t{l.raw} + v.raw) * Q30::one), 31));
+    };
+    return chord_of_difference(difference(normal.x, light.x, view.x), difference(normal.y, light.y, view.y), difference(normal.z, light.z, view.z));
 }
 
 SHADE16_INLINE constexpr bool is_zero(const Normal14& v) { return (v.x.raw | v.y.raw | v.z.raw) == 0; }
@@ -101,14 +105,26 @@ SHADE16_INLINE constexpr uint32_t attenuated(uint32_t factor, Scaled attenuation
     return Wide ? mulhi(factor, attenuation.mantissa) : mulhi(factor << 16, attenuation.mantissa) >> 16;
 }
 
-/// The attenuation at the end of a vector that `towards` gave.
-SHADE16_ONCE constexpr Scaled attenuation_along(const LatticeAttenuation& a, IVec3 v, int coarser, int32_t count) {
+/// The squared length of a vector that `towards` gave.
+SHADE16_INLINE constexpr Scaled squared_distance(IVec3 v, int coarser, int32_t count) {
     const uint64_t squared = static_cast<uint64_t>(multiply(v.x, v.x)) + static_cast<uint64_t>(multiply(v.y, v.y)) + static_cast<uint64_t>(multiply(v.z, v.z));
     constexpr Scaled ninth{0xE38E38E4u, -3};
-    if (count == 3) return a.at(Scaled::normalized(squared, 0) * ninth);
+    if (count == 3) return Scaled::normalized(squared, 0) * ninth;
     const int count_log2 = 31 - leading_zeros(static_cast<uint32_t>(count));
-    return a.at(Scaled::normalized(squared, 2 * (coarser - count_log2)));
+    return Scaled::normalized(squared, 2 * (coarser - count_log2));
 }
+
+/// The attenuation at its end.
+SHADE16_ONCE constexpr Scaled attenuation_along(const LatticeAttenuation& a, IVec3 v, int coarser, int32_t count) {
+    return a.at(squared_distance(v, coarser, count));
+}
+
+/// A lamp's shape at its end.
+template <Needs N>
+SHADE16_ONCE constexpr Scaled shape_along(const LampShape& shape, IVec3 v, int coarser, int32_t count) {
+    return lamp_factor<N>(shape, v, N.range || N.falloff ? squared_distance(v, coarser, count) : Scaled{});
+}
+constexpr bool fades_lamps(Needs n) { return n.attenuation || shapes_lamps(n); }
 
 SHADE16_INLINE constexpr void modulate(Accumulator& sum, const ColorFactor& c) {
     sum.r = mulhi(sum.r, c.r), sum.g = mulhi(sum.g, c.g), sum.b = mulhi(sum.b, c.b);
@@ -156,20 +172,36 @@ SHADE16_INLINE constexpr void add_lights(Accumulator& sum, Accumulator& shine, c
         uint32_t n_dot_l = detail::cosine(normal, direction);
         if (n_dot_l == 0) continue;
         Scaled fading{};
-        const bool fades = N.attenuation && is_point && light.attenuation.fades;
+        bool fades = N.attenuation && is_point && light.attenuation.fades;
         if constexpr (N.attenuation)
-            if (fades) {
-                fading = detail::attenuation_along(light.attenuation, to_light.v, to_light.coarser, position.count);
-                n_dot_l = detail::attenuated<wide>(n_dot_l, fading);
+            if (fades) fading = detail::attenuation_along(light.attenuation, to_light.v, to_light.coarser, position.count);
+        if constexpr (detail::shapes_lamps(N))
+            if (is_point && light.shape != 0) {
+                const Scaled shaped = detail::shape_along<N>(object.shapes[light.shape - 1], to_light.v, to_light.coarser, position.count);
+                if (shaped.is_zero()) continue;
+                fading = fades ? fading * shaped : shaped;
+                fades = true;
             }
+        if constexpr (detail::fades_lamps(N))
+            if (fades) n_dot_l = detail::attenuated<wide>(n_dot_l, fading);
         if constexpr (N.diffuse) detail::add_term<wide>(sum, light.diffuse, n_dot_l, fading.exponent);
         if constexpr (N.specular) {
             if (shininess == nullptr) continue;
-            UnitVector<Tier> half = light.half;
-            if (is_point || local_viewer) half = detail::half_of(direction, view, Arithmetic<Tier>::rsqrt_bits);
-            if (detail::is_zero(half) || (local_viewer && detail::is_zero(view))) continue;
-            uint32_t power = shininess->power(detail::chord(normal, half));
-            if constexpr (N.attenuation)
+            const bool reflects = N.reflected && (!N.halfway || object.reflects);
+            uint32_t u = 0;
+            if constexpr (N.reflected)
+                if (reflects) {
+                    if (local_viewer && detail::is_zero(view)) continue;
+                    u = detail::reflected_chord(normal, direction, view);
+                }
+            if (!reflects) {
+                UnitVector<Tier> half = light.half;
+                if (is_point || local_viewer) half = detail::half_of(direction, view, Arithmetic<Tier>::rsqrt_bits);
+                if (detail::is_zero(half) || (local_viewer && detail::is_zero(view))) continue;
+                u = detail::chord(normal, half);
+            }
+            uint32_t power = shininess->power(u);
+            if constexpr (detail::fades_lamps(N))
                 if (fades) power = detail::attenuated<wide>(power, fading);
             if (power != 0) detail::add_term<wide>(shine, light.specular, power, fading.exponent);
         }

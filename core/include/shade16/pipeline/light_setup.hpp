@@ -40,21 +40,26 @@ struct LightProduct {
 template <PrecisionTier Tier>
 struct ObjectLight {
     bool is_point = false;
+    uint16_t shape = 0;  // of a lamp with a range, a falloff or a cone: its place among the object's LampShapes, from 1
     LatticeAttenuation attenuation{};
-    LatticePoint point{};          // of a point light
+    LatticePoint point{};          // of a point light or a spot
     UnitVector<Tier> direction{};  // of a directional one, towards the light
     UnitVector<Tier> half{};       // and, with an infinite viewer, the half vector
     LightProduct diffuse{}, specular{};
 };
+
+struct LampShape;
 
 /// What lights one object for one frame.
 template <PrecisionTier Tier>
 struct ObjectLighting {
     Accumulator base{};  // ambient, emissive; or the colour of an unlit object
     bool local_viewer = false;
+    bool reflects = false;  // by Phong's model
     LatticePoint eye{};
     UnitVector<Tier> view{};  // of an infinite viewer
     Stretch stretch{};
+    const LampShape* shapes = nullptr;
 };
 
 namespace detail {
@@ -83,6 +88,32 @@ constexpr void add_product(Accumulator& sum, const LightProduct& p) {
     accumulate(sum.b, scaled_term(p.b, 8 - p.exponent));
 }
 
+/// A direction of a light's space, of any length, in the frame of lighting.
+constexpr Normal30 direction_in(const LightingFrame& frame, const Mat3& view_to_world, Space space, Vec3 given) {
+    Normal30 direction = normalize(given);
+    if (space == Space::view) direction = normalize_finely(rotate(view_to_world, raw(direction)));
+    if (space != Space::object) direction = frame.direction(direction);
+    return direction;
+}
+
+/// u from a difference of unit vectors in Q29, each component at most 2.0: the square of one is then at most 2^60, and the sum of
+/// three at most 2^61.
+SHADE16_INLINE constexpr uint32_t chord_of_difference(int32_t x, int32_t y, int32_t z) {
+    const uint64_t squared = static_cast<uint64_t>(multiply(x, x) + multiply(y, y) + multiply(z, z));  // Q58, twice u
+    return static_cast<uint32_t>(min<uint64_t>(squared >> 27, UINT32_MAX));
+}
+
+/// u = |N - H|^2 / 2 = 1 - N.H, from the chord: lengths err only relative to u, and sharp highlights stay exact.
+/// Q29 from 16-bit vectors, Q32 from 32-bit ones, saturated.
+/// Source  R. F. Lyon, Phong Shading Reformulation for Hardware Renderer Simplification, 1993.
+SHADE16_INLINE constexpr uint32_t chord(const Normal14& a, const Normal14& b) {
+    const int32_t x = a.x.raw - b.x.raw, y = a.y.raw - b.y.raw, z = a.z.raw - b.z.raw;
+    return static_cast<uint32_t>(x * x) + static_cast<uint32_t>(y * y) + static_cast<uint32_t>(z * z);
+}
+SHADE16_INLINE constexpr uint32_t chord(const Normal30& a, const Normal30& b) {
+    const auto half = [](Q30 p, Q30 q) { return static_cast<int32_t>((int64_t{p.raw} - q.raw) >> 1); };
+    return chord_of_difference(half(a.x, b.x), half(a.y, b.y), half(a.z, b.z));
+}
 }  // namespace detail
 
 /// The half vector of two unit vectors, formed in 32 bits; zero where they are opposite.
@@ -106,6 +137,7 @@ constexpr ObjectLighting<Tier> make_object_lighting(const Camera& camera, const 
         if (light.kind == LightKind::ambient)
             detail::add_product(o.base, detail::make_product<highp>(material.ambient_color(), light.diffuse, light.intensity));
     o.local_viewer = camera.sees_locally();
+    o.reflects = material.reflection == Reflection::phong;
     o.eye = frame.point(as_block(camera.eye));
     o.view = UnitVectorOf<Tier>::from(frame.direction(view_rotation.row[2]));
     return o;
@@ -117,7 +149,7 @@ constexpr ObjectLight<Tier> make_object_light(const Camera& camera, const Mat3& 
                                               const Material& material, const Pose& pose, const Mesh& mesh) {
     const detail::LightingFrame frame(pose, mesh);
     ObjectLight<Tier> o;
-    o.is_point = light.kind == LightKind::point;
+    o.is_point = light.is_lamp();
     o.diffuse = detail::make_product<Tier>(material.diffuse, light.diffuse, light.intensity);
     o.specular = detail::make_product<Tier>(material.specular, light.specular, light.intensity);
     const Mat3 to_world = transpose(view_rotation);
@@ -128,9 +160,7 @@ constexpr ObjectLight<Tier> make_object_light(const Camera& camera, const Mat3& 
         o.attenuation = frame.attenuation(light.attenuation, o.point.bits);
         return o;
     }
-    Normal30 direction = normalize(light.position);
-    if (light.space == Space::view) direction = normalize_finely(rotate(to_world, raw(direction)));
-    if (light.space != Space::object) direction = frame.direction(direction);
+    const Normal30 direction = detail::direction_in(frame, to_world, light.space, light.position);
     o.direction = UnitVectorOf<Tier>::from(direction);
     o.half = UnitVectorOf<Tier>::from(half_vector(direction, frame.direction(view_rotation.row[2])));
     return o;

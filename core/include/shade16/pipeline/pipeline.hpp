@@ -30,6 +30,7 @@ public:
         Camera camera = frame.camera != nullptr ? *frame.camera : scene.camera;
         if constexpr (!N.orthographic) camera.projection = Projection::perspective;
         if constexpr (!N.perspective) camera.projection = Projection::orthographic;
+        component_ = frame.component;
         const View<Light> lights(frame.lights != nullptr ? frame.lights : scene.lights.first, scene.lights.count);
         const View3 view = make_view(camera, viewport);
         uint32_t first_vertex = 0, first_face = 0, first_split = 0;
@@ -80,15 +81,9 @@ private:
                                 View<Light> lights, uint32_t index) {
         state.transform = make_view_transform(view, pose, object.mesh);
         state.shininess = prepared_.shininess[index];
-        state.lighting = make_object_lighting<Tier>(camera, view.rotation, lights, object.material, pose, object.mesh);
         state.first_light = index * lights.count;
-        state.lights = 0;
-        if constexpr (N.diffuse || N.specular)
-            for (const Light& light : lights) {
-                if (object.material.unlit || light.kind == LightKind::ambient || light.intensity.is_zero()) continue;
-                work_.lights[state.first_light + state.lights++] =
-                    make_object_light<Tier>(camera, view.rotation, light, object.material, pose, object.mesh);
-            }
+        if (component_ == Component::all) light_object(state, object.material, object, pose, camera, view, lights);
+        else light_object(state, part_of(object.material, component_), object, pose, camera, view, lights);
         if constexpr (Store == VertexStore::keep) {
             state.is_inside = true;
             for (uint32_t i = 0; i < object.mesh.positions.count; ++i)
@@ -97,6 +92,26 @@ private:
                 if (detail::is_flat(object.material))
                     for (uint32_t i = 0; i < object.mesh.triangles.count; ++i) work_.faces[state.first_face + i].is_known = 0;
         }
+    }
+
+    [[gnu::noinline]] constexpr void light_object(ObjectState<Tier>& state, const Material& material, const Object& object, const Pose& pose,
+                                                  const Camera& camera, const View3& view, View<Light> lights) {
+        state.lighting = make_object_lighting<Tier>(camera, view.rotation, lights, material, pose, object.mesh);
+        if constexpr (detail::shapes_lamps(N))
+            if (work_.shapes != nullptr) state.lighting.shapes = work_.shapes + state.first_light;
+        state.lights = 0;
+        if constexpr (N.diffuse || N.specular)
+            for (const Light& light : lights) {
+                if (material.unlit || light.kind == LightKind::ambient || light.intensity.is_zero()) continue;
+                const uint32_t number = state.lights++;
+                ObjectLight<Tier>& lit = work_.lights[state.first_light + number];
+                lit = make_object_light<Tier>(camera, view.rotation, light, material, pose, object.mesh);
+                if constexpr (detail::shapes_lamps(N))
+                    if (work_.shapes != nullptr && detail::is_shaped(light)) {
+                        work_.shapes[state.first_light + number] = make_lamp_shape(view.rotation, light, pose, object.mesh, lit.point.bits);
+                        lit.shape = static_cast<uint16_t>(number + 1);
+                    }
+            }
     }
 
     SHADE16_INLINE static constexpr bool transform_vertex(const ViewTransform& t, const Position16& p, Vertex& out) {
@@ -402,6 +417,7 @@ private:
     PreparedScene<Tier> prepared_;
     WorkspaceView<Tier> work_;
     Viewport viewport_{};
+    Component component_ = Component::all;
 };
 
 }  // namespace shade16

@@ -38,6 +38,7 @@ struct WorkspaceView {
     SplitLight* split = nullptr;            // one a vertex of an object with textured Gouraud shading; with `replay` none
     uint32_t* tags = nullptr;               // with `replay`: which vertex a slot holds, plus one
     uint32_t slots = 0;                     // with `replay`: a power of two
+    LampShape* shapes = nullptr;            // objects * lights, where lamps have a range, a falloff or a cone
 };
 
 namespace detail {
@@ -87,8 +88,9 @@ struct Workspace {
     FaceColor<Tier> faces[keeps ? detail::at_least_one(detail::flat_face_count(scene)) : 1]{};
     [[no_unique_address]] detail::Storage<SplitLight, keeps ? detail::split_light_count(scene) : 0> split{};
     uint32_t tags[keeps ? 1 : Slots]{};
+    [[no_unique_address]] detail::Storage<LampShape, detail::shapes_lamps(needs_of(scene)) ? scene.objects.count * scene.lights.count : 0> shapes{};
 
-    constexpr WorkspaceView<Tier> view() { return {objects, lights, vertices, keeps ? faces : nullptr, split.first(), tags, Slots}; }
+    constexpr WorkspaceView<Tier> view() { return {objects, lights, vertices, keeps ? faces : nullptr, split.first(), tags, Slots, shapes.first()}; }
 };
 
 }  // namespace shade16

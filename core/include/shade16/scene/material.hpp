@@ -15,6 +15,10 @@ enum class Shading : uint8_t { flat, gouraud, phong };
 /// along each row of pixels; opposite normals turn by way of the axis that is farthest from them, x before y before z.
 enum class NormalPath : uint8_t { linear, spherical };
 
+/// What a highlight is computed from, both by the chord u and with 1 - u to the power of the shininess. blinn_phong: the half
+/// vector, u = |N - H|^2 / 2. phong: the mirrored light, u = |R - V|^2 / 2 with R = 2(N.L)N - L; no highlight where R.V <= 0.
+enum class Reflection : uint8_t { blinn_phong, phong };
+
 /// The ambient colour; the diffuse one unless it is given.
 struct AmbientColor {
     Rgb color{};
@@ -29,7 +33,8 @@ struct Material {
     Rgb diffuse = rgb(0xCCCCCC);
     Rgb specular = black;
     Rgb emissive = black;
-    Q16 shininess = 32;  // the Blinn-Phong exponent, 1 to 1000, fractions welcome; clamped outside
+    Q16 shininess = 32;  // the exponent of the reflection, 1 to 1000, fractions welcome; clamped outside
+    Reflection reflection = Reflection::blinn_phong;
     Shading shading = Shading::gouraud;
     NormalPath normal_path = NormalPath::linear;  // with Shading::phong
     const Texture* texture = nullptr;  // a factor of ambient and diffuse light
@@ -47,5 +52,14 @@ namespace detail {
 constexpr bool is_flat(const Material& m) { return m.shading == Shading::flat && !m.unlit; }
 constexpr bool is_phong(const Material& m) { return m.shading == Shading::phong && !m.unlit; }
 }  // namespace detail
+
+/// The Phong exponent whose highlight is as wide as a Blinn-Phong one, and the other way round: four to one, since R turns away
+/// from V twice as fast as N from H. They clamp: below 4 there is no Phong highlight as wide, above 250 no Blinn-Phong one as
+/// narrow.
+/// Error   where light, normal and viewer lie in a plane, at most matching_max_error / (Blinn-Phong exponent) of full scale;
+///         elsewhere Phong highlights are rounder than Blinn-Phong's, which stretch at grazing light.
+inline constexpr Q16 matching_max_error = Q16::from_raw(45875);  // 0.7
+constexpr Q16 phong_shininess_matching(Q16 blinn_phong) { return Q16::from_raw(clamp<int32_t>(blinn_phong.raw, 4 * int32_t{65536}, 4000 * int32_t{65536} / 4) >> 2); }
+constexpr Q16 blinn_phong_shininess_matching(Q16 phong) { return Q16::from_raw(clamp<int32_t>(phong.raw, int32_t{65536}, 250 * int32_t{65536}) * 4); }
 
 }  // namespace shade16

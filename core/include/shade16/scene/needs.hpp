@@ -23,10 +23,16 @@ struct Needs {
     bool bump = false;           // slopes looked up, and a square root more a pixel
     bool ambient = false;        // ambient or emissive light
     bool diffuse = false;
-    bool specular = false;       // the half vector, the chord and the shininess tables
+    bool specular = false;       // the chord and the shininess tables
+    bool halfway = false;        // Blinn-Phong: a half vector a vertex and light
+    bool reflected = false;      // Phong: a mirrored vector a vertex and light
     bool directional = false;
     bool point = false;          // a light vector and a square root a vertex and light
     bool attenuation = false;    // a distance and a divide a vertex and light
+    bool falloff = false;        // 1/d^power: a logarithm a vertex and light
+    bool range = false;          // a lamp that ends somewhere
+    bool spot = false;           // a cone: a fine square root and a chord a vertex and light
+    bool spot_exponent = false;  // a logarithm a vertex and spot
     bool local_viewer = false;   // a view vector and a square root a vertex
     bool stretch = false;        // a scale that differs by axis
 
@@ -68,6 +74,16 @@ constexpr bool has_bump(const Object& o) {
     return o.material.bump != nullptr && !o.mesh.texcoords.empty() && is_phong(o.material);
 }
 
+constexpr Needs needs_of_lamp(const Light& lamp) {
+    Needs n;
+    n.point = true;
+    n.attenuation = lamp.attenuation.fades();
+    n.falloff = lamp.attenuation.falls_off();
+    n.range = lamp.range > Q16{};
+    n.spot = lamp.kind == LightKind::spot;
+    n.spot_exponent = n.spot && lamp.spot.exponent > Q16{};
+    return n;
+}
 constexpr Needs needs_of(const Object& object, View<Light> lights) {
     const Material& m = object.material;
     Needs n;
@@ -96,9 +112,10 @@ constexpr Needs needs_of(const Object& object, View<Light> lights) {
         const bool specular = light.specular != black && m.specular != black;
         n.diffuse |= diffuse;
         n.specular |= specular;
+        n.halfway |= specular && m.reflection == Reflection::blinn_phong;
+        n.reflected |= specular && m.reflection == Reflection::phong;
         n.directional |= (diffuse || specular) && light.kind == LightKind::directional;
-        n.point |= (diffuse || specular) && light.kind == LightKind::point;
-        n.attenuation |= (diffuse || specular) && light.kind == LightKind::point && light.attenuation != Attenuation{};
+        if ((diffuse || specular) && light.is_lamp()) n = n | needs_of_lamp(light);
     }
     return n;
 }
