@@ -58,7 +58,8 @@ std::size_t workspace_bytes(const Scene& scene, VertexStore store, uint32_t slot
            at_least_one(scene.objects.count * scene.lights.count) * sizeof(ObjectLight<Tier>) +
            vertices * sizeof(ScreenVertex<Tier>) + faces * sizeof(FaceColor<Tier>) +
            (keeps ? detail::split_light_count(scene) : 0) * sizeof(SplitLight) +
-           (keeps ? 1 : slots) * sizeof(uint32_t);
+           (keeps ? 1 : slots) * sizeof(uint32_t) +
+           (detail::shapes_lamps(needs_of(scene)) ? scene.objects.count * scene.lights.count * sizeof(LampShape) : 0);
 }
 
 /// One band of 16-bit pixels, with depth where it is needed.

@@ -6,9 +6,9 @@
 
 #include <cmath>
 #include <random>
-#include <vector>
 
 #include "shade16/pipeline/vertex.hpp"
+#include "unit/lit_point.hpp"
 
 namespace shade16 {
 namespace {
@@ -18,45 +18,8 @@ class Lit : public ::testing::Test {};
 using Tiers = ::testing::Types<lowp, mediump, highp>;
 TYPED_TEST_SUITE(Lit, Tiers);
 
-constexpr Material shiny{.diffuse = rgb(0xC08040), .specular = rgb(0x80C0FF), .shininess = 20};
 constexpr Vec3 uneven{1, 0.3_q16, 2}, close{0, 0, 0.5_q16};
 constexpr Attenuation linear{1, 1, 0}, quadratic{1, 0, 1}, all_three{0.5_q16, 0.25_q16, 2}, only_quadratic{0, 0, 1}, negative{1, -3, -5}, nothing{0, 0, 0};
-constexpr Normal14 facing{{}, {}, {16384}};
-constexpr Normal14 averted{{}, {}, {-16384}};
-
-struct Setting {
-    Camera camera{};
-    Material material = shiny;
-    std::vector<Light> lights{};
-    Pose pose{};
-    Mesh mesh{};
-    const Rgb* color = nullptr;
-};
-
-template <class Tier>
-Accumulator lit(const Setting& s, Normal14 normal = facing, Position16 position = {}) {
-    const Mat3 view = look_rotation(s.camera);
-    const View<Light> lights{s.lights.data(), static_cast<uint32_t>(s.lights.size())};
-    const auto object = make_object_lighting<Tier>(s.camera, view, lights, s.material, s.pose, s.mesh);
-    std::vector<ObjectLight<Tier>> object_lights;
-    for (const Light& light : s.lights)
-        if (light.kind != LightKind::ambient) object_lights.push_back(make_object_light<Tier>(s.camera, view, light, s.material, s.pose, s.mesh));
-    const Shininess<Tier> kernel = shininess<Tier>(s.material.shininess);
-    const bool has_specular = s.material.specular != black;
-    ColorFactor factor{};
-    if (s.color != nullptr) factor = *s.color;
-    return light_point<all_needs, Tier>(object, {object_lights.data(), static_cast<uint32_t>(object_lights.size())}, has_specular ? &kernel : nullptr,
-                                        {raw(position), 1}, lighting_normal<all_needs, Tier>(object, normal), s.color != nullptr ? &factor : nullptr);
-}
-
-::testing::AssertionResult is_black(const Accumulator& sum) {
-    if ((sum.r | sum.g | sum.b) == 0) return ::testing::AssertionSuccess();
-    return ::testing::AssertionFailure() << sum.r << ' ' << sum.g << ' ' << sum.b;
-}
-::testing::AssertionResult are_equal(const Accumulator& a, const Accumulator& b) {
-    if (a.r == b.r && a.g == b.g && a.b == b.b) return ::testing::AssertionSuccess();
-    return ::testing::AssertionFailure() << a.r << ' ' << a.g << ' ' << a.b << " and " << b.r << ' ' << b.g << ' ' << b.b;
-}
 
 TYPED_TEST(Lit, NoLightIsBlack) {
     EXPECT_TRUE(is_black(lit<TypeParam>({})));
@@ -217,7 +180,13 @@ TYPED_TEST(Lit, MoreLightIsNeverDarker) {
             Light light = random() % 2 ? point_light({any(), any(), any()}, color(), intensity) : directional_light({any(), any(), any()}, color(), intensity);
             light.space = static_cast<Space>(random() % 3);
             if (random() % 8 == 0) light.kind = LightKind::ambient;
-            if (random() % 2 == 0) light.attenuation = {any(), any(), any()};
+            if (random() % 2 == 0) light.attenuation = {any(), any(), any(), any()};
+            if (random() % 3 == 0) light.range = any();
+            if (random() % 3 == 0 && light.kind == LightKind::point) {
+                light.kind = LightKind::spot;
+                light.spot = {{any(), any(), any()}, {static_cast<uint32_t>(random())}, {static_cast<uint32_t>(random())}, any()};
+            }
+            s.material.reflection = static_cast<Reflection>(i / 2 % 2);
             s.lights.push_back(light);
             const Accumulator sum = lit<TypeParam>(s, normal, position);
             ASSERT_GE(sum.r, previous.r);
@@ -265,7 +234,11 @@ TYPED_TEST(Lit, TotalForAnyInput) {
         s.mesh.centre = any_vector();
         s.mesh.fraction_bits = static_cast<int8_t>(random() % 31);
         s.lights = {point_light(any_vector()), directional_light(any_vector())};
-        s.lights[0].attenuation = {any(), any(), any()};
+        s.lights[0].attenuation = {any(), any(), any(), any()};
+        s.lights[0].range = any();
+        if (i % 3 == 0) s.lights[0].kind = LightKind::spot;
+        s.lights[0].spot = {any_vector(), {static_cast<uint32_t>(random())}, {static_cast<uint32_t>(random())}, any()};
+        s.material.reflection = static_cast<Reflection>(i / 4 % 2);
         s.lights[static_cast<size_t>(i & 1)].space = static_cast<Space>(random() % 3);
         lit<TypeParam>(s, normalize14<7>({any().raw, any().raw, any().raw}), {-32768, 32767, -32768});
     }

@@ -68,12 +68,42 @@ TEST(Needs, LightsBringTheirKindAndTheirTerms) {
     Needs point = plain;
     point.point = point.diffuse = true;
     EXPECT_EQ(needs_with(matt, point_light({0, 0, 1})), point);
-    point.specular = true;
+    point.specular = point.halfway = true;
     EXPECT_EQ(needs_with(shiny, point_light({0, 0, 1})), point);
     point.attenuation = true;
     EXPECT_EQ(needs_with(shiny, Light{.kind = LightKind::point, .attenuation = {.linear = 1}}), point);
-    directional.specular = true, directional.diffuse = false;
+    directional.specular = directional.halfway = true, directional.diffuse = false;
     EXPECT_EQ(needs_with({.diffuse = black, .specular = white}, directional_light({0, 0, 1})), directional);
+}
+
+TEST(Needs, LampsBringWhatShapesThem) {
+    const auto added = [](const Light& lamp) {
+        const Needs n = needs_with(matt, lamp);
+        EXPECT_TRUE(n.point && n.diffuse);
+        return n;
+    };
+    Needs lamp = plain;
+    lamp.point = lamp.diffuse = true;
+    Needs falling = lamp, ending = lamp, spot = lamp;
+    falling.falloff = ending.range = spot.spot = true;
+    EXPECT_EQ(added({.kind = LightKind::point, .attenuation = {.power = 1}}), falling);
+    EXPECT_EQ(added({.kind = LightKind::point, .range = 5}), ending);
+    EXPECT_EQ(added(spot_light({0, 0, 1}, {})), spot);
+    spot.spot_exponent = true;
+    EXPECT_EQ(added(spot_light({0, 0, 1}, {.exponent = 2})), spot);
+    EXPECT_EQ(added({.kind = LightKind::point, .range = -1, .spot = {.exponent = 2}}), lamp) << "a cone is a spot's";
+    Light sun = directional_light({0, 0, 1});
+    sun.range = 5, sun.attenuation.power = 1;
+    EXPECT_EQ(needs_with(matt, sun), needs_with(matt, directional_light({0, 0, 1})));
+}
+
+TEST(Needs, HighlightsBringTheirReflection) {
+    Material phong = shiny;
+    phong.reflection = Reflection::phong;
+    const Needs n = needs_with(phong, directional_light({0, 0, 1}));
+    EXPECT_TRUE(n.specular && n.reflected && !n.halfway);
+    phong.specular = black;
+    EXPECT_EQ(needs_with(phong, directional_light({0, 0, 1})), needs_with(matt, directional_light({0, 0, 1})));
 }
 
 TEST(Needs, BlackIsNoTerm) {

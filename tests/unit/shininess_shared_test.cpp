@@ -38,7 +38,7 @@ TEST(ShininessShared, KeepsTheShareOfHighp) {
     EXPECT_LE(worst, Arithmetic<highp>::shininess_max_error.micro * 1e-6);
 }
 
-TEST(ShininessShared, NeverRisesByMoreThanItsRounding) {
+TEST(ShininessShared, NeverRises) {
     for (const Q16 exponent : exponents) {
         const ShininessShared kernel = shininess<highp>(exponent);
         const double n = std::ldexp(exponent.raw, -16);
@@ -48,6 +48,25 @@ TEST(ShininessShared, NeverRisesByMoreThanItsRounding) {
             ASSERT_LE(kernel.power(static_cast<uint32_t>(u)), previous) << "exponent " << n << " u " << u;
             previous = kernel.power(static_cast<uint32_t>(u));
         }
+    }
+}
+
+// Where one table entry, one mantissa or one octave of the power meets the next, unit by unit.
+TEST(ShininessShared, NeverRisesAtSeams) {
+    for (int i = 0; i < 60; ++i) {
+        const ShininessShared kernel{static_cast<uint32_t>(65536 * std::pow(1000.0, i / 59.0))};
+        const double n = std::ldexp(kernel.exponent, -16);
+        const auto sweep = [&](double middle) {
+            if (middle >= 0x1p32) return;
+            uint32_t u = middle > 500 ? static_cast<uint32_t>(middle) - 500 : 0;
+            for (uint32_t previous = kernel.power(u); u < UINT32_MAX && u < middle + 500; ++u) {
+                ASSERT_LE(kernel.power(u), previous) << "exponent " << n << " u " << u;
+                previous = kernel.power(u);
+            }
+        };
+        for (int octave = 1; octave <= 31; ++octave) sweep(-std::expm1(-octave * std::log(2.0) / n) * 0x1p32);
+        for (int entry = 1; entry <= 64; ++entry) sweep(entry * 0x1p25);
+        for (int half = 1; half <= 30; ++half) sweep(0x1p32 - std::ldexp(1.0, 32 - half));
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <string>
 
 #include "shade16/num/shininess.hpp"
@@ -54,6 +55,27 @@ TEST(ShininessWindow, NeverRises) {
             previous = window.power(u);
         }
     }
+}
+
+template <class Tier>
+void never_rises_at_seams() {
+    for (int i = 0; i < 60; ++i) {
+        const auto window = shininess<Tier>(Q16::from_raw(static_cast<int32_t>(65536 * std::pow(1000.0, i / 59.0))));
+        const uint32_t segments = std::size(window.y) - 1;
+        for (uint32_t k = 0; k <= segments; ++k) {
+            const uint32_t middle = static_cast<uint32_t>(uint64_t{window.u_end} * k / segments);
+            const uint32_t near = 20u << window.cell_bits;
+            uint32_t u = middle > near ? middle - near : 0;
+            for (uint32_t previous = window.power(u); u < middle + near; u += 1 + (window.cell_bits > 4)) {
+                ASSERT_LE(window.power(u), previous) << "table " << i << " u " << u;
+                previous = window.power(u);
+            }
+        }
+    }
+}
+TEST(ShininessWindow, NeverRisesAtSeams) {
+    never_rises_at_seams<lowp>();
+    never_rises_at_seams<mediump>();
 }
 
 TEST(ShininessWindow, IsBuiltAlikeAtRunTimeAndAtCompileTime) {

@@ -45,7 +45,7 @@ constexpr int64_t log2_of_normalized(uint32_t x) {
 constexpr Scaled exp2_of_fraction(uint32_t f) {
     constexpr uint32_t ln2_q32 = 0xB17217F8;
     constexpr int32_t sixth = 0x15555555, half = 0x40000000;
-    const int32_t g = static_cast<int32_t>((f & 0x7FFFFFF) << 5) - half - half;  // Q37
+    const int32_t g = static_cast<int32_t>((f << 5) - (uint32_t{1} << 31));  // Q37
     const int32_t y = mulhi(g, ln2_q32);
     const int32_t square = mulhi(y, mulhi(y, half + (mulhi(y, sixth) >> 5)));  // y^2/2 + y^3/6, Q41
     const uint32_t middle = middle_exp_table.y[f >> 27];
@@ -64,7 +64,7 @@ SHADE16_ONCE constexpr Scaled power(Scaled x, int32_t exponent, int fraction_bit
     const int64_t fraction = multiply(exponent, static_cast<uint32_t>(clamp<int64_t>(detail::log2_of_normalized(x.mantissa), 0, UINT32_MAX)));
     const int64_t whole = multiply(int32_t{x.exponent} - 1, exponent);  // the logarithm's whole part, in units of 2^fraction_bits
     const int64_t below = whole & ((int64_t{1} << fraction_bits) - 1);
-    const int64_t rest = shift_right_round((below << 32) + fraction, fraction_bits);  // Q32
+    const int64_t rest = (below << (32 - fraction_bits)) + shift_right_round(fraction, fraction_bits);  // Q32
     const Scaled mantissa = detail::exp2_of_fraction(static_cast<uint32_t>(rest));
     return {mantissa.mantissa, static_cast<int>(clamp<int64_t>((whole >> fraction_bits) + (rest >> 32) + mantissa.exponent, INT16_MIN, INT16_MAX))};
 }

@@ -24,12 +24,12 @@ SHADE16_INLINE constexpr uint64_t fine_chord(const Normal30& a, const Normal30& 
     const int32_t x = a.x.raw - b.x.raw, y = a.y.raw - b.y.raw, z = a.z.raw - b.z.raw;  // below sqrt(2)
     return static_cast<uint64_t>(multiply(x, x)) + static_cast<uint64_t>(multiply(y, y)) + static_cast<uint64_t>(multiply(z, z));
 }
-/// The same of an angle, up to 90 degrees, drawn in by so many units of 2^cone_guard_log2.
-SHADE16_ONCE constexpr uint64_t opening_of(Angle angle, uint32_t guard) {
+/// The same of an angle, up to 90 degrees; of the outer one a little less.
+SHADE16_ONCE constexpr uint64_t opening_of(Angle angle, bool is_outer) {
     const Angle most = 90_deg;
-    const uint64_t sine = magnitude(sin((most.turns < angle.turns ? most : angle).half()).raw);
-    const uint64_t drawn_in = (sine << (32 + cone_guard_log2)) * guard;  // the chord is 2 sine: Q31, and 30 bits more
-    return 4 * sine * sine - min(drawn_in, 4 * sine * sine);
+    const uint32_t sine = magnitude(sin((most.turns < angle.turns ? most : angle).half()).raw);  // half the chord
+    const uint64_t u = 4 * multiply(sine, sine), guard = uint64_t{sine} << (32 + cone_guard_log2);
+    return is_outer ? u - min(guard, u) : u;
 }
 }  // namespace detail
 
@@ -106,8 +106,8 @@ constexpr LampShape make_lamp_shape(const Mat3& view_rotation, const Light& ligh
     if (!s.is_spot) return s;
     const detail::LightingFrame frame(pose, mesh);
     s.axis = detail::direction_in(frame, transpose(view_rotation), light.space, -light.spot.direction);
-    s.outer = detail::opening_of(light.spot.outer, 1);
-    s.inner = min(detail::opening_of(light.spot.inner, 0), s.outer);
+    s.outer = detail::opening_of(light.spot.outer, true);
+    s.inner = min(detail::opening_of(light.spot.inner, false), s.outer);
     s.inverse_width = reciprocal(Scaled::normalized(max(s.outer - s.inner, uint64_t{1}), -61));
     s.exponent = clamp<int32_t>(light.spot.exponent.raw, 0, 128 * int32_t{65536});
     return s;

@@ -56,9 +56,9 @@ constexpr bool is_phong(const Material& m) { return m.shading == Shading::phong 
 /// The Phong exponent whose highlight is as wide as a Blinn-Phong one, and the other way round: four to one, since R turns away
 /// from V twice as fast as N from H. They clamp: below 4 there is no Phong highlight as wide, above 250 no Blinn-Phong one as
 /// narrow.
-/// Error   where light, normal and viewer lie in a plane, at most matching_max_error / (Blinn-Phong exponent) of full scale;
-///         elsewhere Phong highlights are rounder than Blinn-Phong's, which stretch at grazing light.
-inline constexpr Q16 matching_max_error = Q16::from_raw(45875);  // 0.7
+/// Error   where light, normal and viewer lie in a plane, at most matching_max_error / (Blinn-Phong exponent) of full scale; elsewhere
+///         Phong's highlights are rounder than Blinn-Phong's, which stretch at grazing light.
+inline constexpr Q16 matching_max_error = Q16::from_raw(67174);  // 1.025; from an exponent of 32 on it is below 0.6
 constexpr Q16 phong_shininess_matching(Q16 blinn_phong) { return Q16::from_raw(clamp<int32_t>(blinn_phong.raw, 4 * int32_t{65536}, 4000 * int32_t{65536} / 4) >> 2); }
 constexpr Q16 blinn_phong_shininess_matching(Q16 phong) { return Q16::from_raw(clamp<int32_t>(phong.raw, int32_t{65536}, 250 * int32_t{65536}) * 4); }
 
