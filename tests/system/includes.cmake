@@ -1,4 +1,5 @@
-# Who may include whom. The core: <stdint.h>, <stddef.h> and itself, one way: num <- scene <- target <- pipeline.
+# Who may include whom. The core: <stdint.h>, <stddef.h> and itself, one way: num <- scene <- target <- pipeline. glsl is a
+# user's vocabulary beside the engine: it stands on num alone, and nothing of the engine stands on it.
 # Neither the core nor the firmware knows the simulator or GLM.
 cmake_minimum_required(VERSION 3.25)
 
@@ -32,7 +33,11 @@ foreach(header IN LISTS headers)
     endif()
     string(REGEX REPLACE "^\"shade16/([^/\"]*).*" "\\1" included_layer "${include}")
     list(FIND layers "${included_layer}" included_rank)
-    if(NOT rank EQUAL -1 AND included_rank GREATER rank)
+    if(layer STREQUAL "glsl" AND NOT included_layer MATCHES "^(glsl|num)$")
+      message(SEND_ERROR "${header} includes ${include}, but 'glsl' stands on 'num' alone.")
+    elseif(rank GREATER -1 AND included_layer MATCHES "^glsl")
+      message(SEND_ERROR "${header} includes ${include}, but the engine does without 'glsl'.")
+    elseif(NOT rank EQUAL -1 AND included_rank GREATER rank)
       message(SEND_ERROR "${header} includes ${include}, but '${layer}' comes before '${included_layer}'.")
     endif()
   endforeach()

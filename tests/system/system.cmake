@@ -71,3 +71,14 @@ shade16_freestanding(rv32imc_clang OFF clang++ --target=riscv32-unknown-elf -mar
 shade16_freestanding(wasm32_clang OFF clang++ --target=wasm32-unknown-unknown)
 # An int of 16 bits, where careless shifts show. Nothing is linked, so clang need not look for AVR's libraries.
 shade16_freestanding(avr_clang OFF clang++ --target=avr -mmcu=atmega328p -Wno-avr-rtlib-linking-quirks)
+
+# GLSL's vocabulary on the two kinds of core: with a long multiply and without.
+function(shade16_glsl_use target)
+  list(JOIN ARGN " " flags)
+  shade16_add_script_test(glsl_takes_only_what_is_used.${target} LABEL freestanding SCRIPT system/glsl_use.cmake
+    SOURCE=${PROJECT_SOURCE_DIR} SCRATCH=${CMAKE_CURRENT_BINARY_DIR}/glsl_use/${target} COMPILER=arm-none-eabi-g++
+    NM=arm-none-eabi-nm "FLAGS=${flags}")
+endfunction()
+
+shade16_glsl_use(cortex_m0plus -mcpu=cortex-m0plus -mthumb)
+shade16_glsl_use(cortex_m3 -mcpu=cortex-m3 -mthumb)

@@ -33,6 +33,16 @@ struct SinCos {
     Q30 sin, cos;
 };
 
+namespace detail {
+/// 1 - xx/(k(k+1)) * (the next factor), Q31; the divisor is written as 2^32 / k(k+1).
+SHADE16_INLINE constexpr uint32_t taylor_factor(uint32_t xx, uint32_t reciprocal, uint32_t next) {
+    return (uint32_t{1} << 31) - mulhi(mulhi(xx, next), reciprocal);
+}
+/// The divisors of the series of sin(x)/x and of cos(x), the last factor first.
+inline constexpr uint32_t sine_reciprocals[5] = {0x0253C825, 0x038E38E4, 0x06186186, 0x0CCCCCCD, 0x2AAAAAAB};
+inline constexpr uint32_t cosine_reciprocals[5] = {0x02D82D83, 0x04924925, 0x08888889, 0x15555555, 0x80000000};
+}  // namespace detail
+
 inline constexpr int32_t sincos_max_error_ulp = 3;  // of Q30: 2.8e-9
 
 /// sine and cosine.
@@ -47,10 +57,12 @@ SHADE16_ONCE constexpr SinCos sincos(Angle angle) {
     const int32_t x = static_cast<int32_t>(shift_right_round(multiply(rest, pi_q30), 30));  // radians, Q31
     const uint32_t xx = static_cast<uint32_t>(multiply(magnitude(x), magnitude(x)) >> 30);  // Q32, at most 0.617
 
-    // 1 - xx/(k(k+1)) * (the next factor); the divisors are written as 2^32 / k(k+1).
-    const auto factor = [xx](uint32_t reciprocal, uint32_t next) { return one - mulhi(mulhi(xx, next), reciprocal); };
-    const uint32_t s = factor(0x2AAAAAAB, factor(0x0CCCCCCD, factor(0x06186186, factor(0x038E38E4, factor(0x0253C825, one)))));
-    const uint32_t c = factor(0x80000000, factor(0x15555555, factor(0x08888889, factor(0x04924925, factor(0x02D82D83, one)))));
+    // Not a loop: on small cores each factor is a few instructions.
+    const auto series = [xx](const uint32_t (&k)[5]) {
+        const auto factor = [xx](uint32_t r, uint32_t next) { return detail::taylor_factor(xx, r, next); };
+        return factor(k[4], factor(k[3], factor(k[2], factor(k[1], factor(k[0], one)))));
+    };
+    const uint32_t s = series(detail::sine_reciprocals), c = series(detail::cosine_reciprocals);
     const Q30 sine = Q30::from_raw(shift_right_round(multiply(x, s), 32));
     const Q30 cosine{static_cast<int32_t>((c + 1) >> 1)};
 

@@ -72,15 +72,19 @@ SHADE16_ONCE constexpr int32_t scale_by_power_of_two(int64_t x, int n) {
     return saturate(static_cast<int64_t>(static_cast<uint64_t>(x) << n));
 }
 
+/// What has an order; vectors have none, and take glsl/'s componentwise min and max.
 template <class T>
+concept Ordered = requires(T a, T b) { a < b; };
+
+template <Ordered T>
 SHADE16_INLINE constexpr T min(T a, T b) {
     return b < a ? b : a;
 }
-template <class T>
+template <Ordered T>
 SHADE16_INLINE constexpr T max(T a, T b) {
     return a < b ? b : a;
 }
-template <class T>
+template <Ordered T>
 SHADE16_INLINE constexpr T clamp(T x, T low, T high) {
     return min(max(x, low), high);
 }

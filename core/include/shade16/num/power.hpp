@@ -36,15 +36,22 @@ constexpr uint64_t negative_log2(uint64_t x) {
     return (static_cast<uint64_t>(zeros + 1) << 48) - log;
 }
 
+namespace detail {
+/// 2^-f as Q64, for the fraction f of t in Q48.
+constexpr uint64_t exp2_of_fraction(uint64_t t) {
+    uint64_t y = UINT64_MAX;
+    for (int k = 1; k <= 48; ++k)
+        if (t >> (48 - k) & 1) y = mulhi(y, roots_of_half.y[k]);
+    return y;
+}
+}  // namespace detail
+
 /// 2^-t as Q32, for t in Q48; at most 2^32 - 1.
 /// Range   any t.  Error  2^-32.
 constexpr uint32_t exp2_negative(uint64_t t) {
     const uint64_t whole = t >> 48;
     if (whole > 32) return 0;
-    uint64_t y = UINT64_MAX;
-    for (int k = 1; k <= 48; ++k)
-        if (t >> (48 - k) & 1) y = mulhi(y, detail::roots_of_half.y[k]);
-    y >>= whole;
+    const uint64_t y = detail::exp2_of_fraction(t) >> whole;
     return static_cast<uint32_t>(min<uint64_t>((y >> 32) + (y >> 31 & 1), UINT32_MAX));
 }
 

@@ -38,6 +38,10 @@ struct Q16 {
     friend constexpr Q16 operator*(Q16 a, Q16 b) {
         return from_raw(saturate(shift_right_round(multiply(a.raw, b.raw), 16)));
     }
+
+    friend constexpr Q16& operator+=(Q16& a, Q16 b) { return a = a + b; }
+    friend constexpr Q16& operator-=(Q16& a, Q16 b) { return a = a - b; }
+    friend constexpr Q16& operator*=(Q16& a, Q16 b) { return a = a * b; }
 };
 
 consteval Q16 operator""_q16(const char* digits) {
