@@ -15,7 +15,8 @@ public:
     TextbookScene(const Scene& scene, Viewport viewport) : scene_(scene), viewport_(viewport) {
         const Camera& c = scene.camera;
         view_ = glm::lookAt(number(c.eye), number(c.target), number(c.up));
-        const double aspect = static_cast<double>(viewport.width) / viewport.height, near = number(c.near_distance), far = number(c.far_distance);
+        const double aspect = static_cast<double>(viewport.width) / viewport.height;
+        const double near = number(c.near_distance), far = number(c.far_distance);
         const double half = number(c.view_height) / 2;
         projection_ = c.projection == Projection::perspective ? glm::perspective(turns(c.fov_y) * 2 * 3.14159265358979323846, aspect, near, far)
                                                               : glm::ortho(-half * aspect, half * aspect, -half, half, near, far);
@@ -41,8 +42,13 @@ public:
                                       : light.space == Space::world ? view_
                                                                     : view_ * (lamp ? model : rotation);
             const Attenuation& a = light.attenuation;
-            u.lights.push_back({to_eye * given, number(light.intensity) * number(light.diffuse), number(light.intensity) * number(light.specular),
-                                number(a.constant), number(a.linear), number(a.quadratic)});
+            const double intensity = number(light.intensity);
+            u.lights.push_back({.position = to_eye * given,
+                                .diffuse = intensity * number(light.diffuse),
+                                .specular = intensity * number(light.specular),
+                                .constant = number(a.constant),
+                                .linear = number(a.linear),
+                                .quadratic = number(a.quadratic)});
         }
         return u;
     }
@@ -51,7 +57,8 @@ public:
         const Mesh& mesh = scene_.objects[o].mesh;
         const Position16 p = mesh.positions[vertex];
         const Normal14 n = mesh.normals[vertex];
-        textbook::Attributes a{number(mesh.centre) + glm::dvec3(p.x, p.y, p.z) / std::exp2(mesh.fraction_bits), glm::dvec3(n.x.raw, n.y.raw, n.z.raw)};
+        const glm::dvec3 place = number(mesh.centre) + glm::dvec3(p.x, p.y, p.z) / std::exp2(mesh.fraction_bits);
+        textbook::Attributes a{place, glm::dvec3(n.x.raw, n.y.raw, n.z.raw)};
         if (mesh.colors.count != 0) a.color = number(mesh.colors[vertex]);
         return a;
     }
@@ -69,12 +76,19 @@ private:
     static glm::dvec3 number(Rgb c) { return glm::dvec3(c.r.raw, c.g.raw, c.b.raw) / 65535.0; }
     static glm::dmat3 matrix(const Mat3& m) {
         glm::dmat3 result;
-        for (int i = 0; i < 3; ++i) result[0][i] = m.row[i].x.raw / 0x1p30, result[1][i] = m.row[i].y.raw / 0x1p30, result[2][i] = m.row[i].z.raw / 0x1p30;
+        for (int i = 0; i < 3; ++i) {
+            const Normal30& row = m.row[i];
+            result[0][i] = row.x.raw / 0x1p30, result[1][i] = row.y.raw / 0x1p30, result[2][i] = row.z.raw / 0x1p30;
+        }
         return result;
     }
     static textbook::Material material(const Material& m) {
-        return {.ambient = number(m.ambient_color()), .diffuse = number(m.diffuse), .specular = number(m.specular), .emission = number(m.emissive),
-                .shininess = number(m.shininess)};
+        return {.ambient = number(m.ambient_color()),
+                .diffuse = number(m.diffuse),
+                .specular = number(m.specular),
+                .emission = number(m.emissive),
+                .shininess = number(m.shininess),
+                .highlight = m.reflection == Reflection::phong ? textbook::Highlight::phong : textbook::Highlight::blinn_phong};
     }
 
     const Scene& scene_;

@@ -1,5 +1,5 @@
 // Two references written apart, the engine's stages in double precision and a lighting tutorial's two shaders, against
-// each other and against the engine: per vertex and per pixel, in all four modes.
+// each other and against the engine: per vertex and per pixel, in all four modes, with both kinds of highlight.
 #include <cstdio>
 
 #include <gtest/gtest.h>
@@ -20,30 +20,35 @@ constexpr Mode modes[] = {Mode::all, Mode::ambient_only, Mode::diffuse_only, Mod
 // rounding of doubles is left (3.7e-14 on x86-64).
 constexpr double references_max_difference = 1e-13, references_max_difference_turned = 1.8e-8;
 
-/// The scene, whole and with the terms of one mode: other colours are black. Every second one is turned by quarters.
+/// A scene whose object may be changed: every second one is turned by quarters, every third one has Phong's highlights.
 class SceneOf {
 public:
-    SceneOf(const Scene& scene, Mode mode, int number) : whole_object_(scene.objects[0]), whole_(scene), part_(scene), exact_(number % 2 == 0) {
-        if (exact_) whole_object_.pose.rotation = rotate_x(90_deg * (static_cast<uint32_t>(number) / 2)) * rotate_y(90_deg * (static_cast<uint32_t>(number) / 8));
-        part_object_ = whole_object_;
-        Material& m = part_object_.material;
-        m.ambient = m.ambient_color();
-        if (mode != Mode::all && mode != Mode::ambient_only) m.ambient = m.emissive = black;
-        if (mode != Mode::all && mode != Mode::diffuse_only) m.diffuse = black;
-        if (mode != Mode::all && mode != Mode::specular_only) m.specular = black;
-        whole_.objects = {&whole_object_, 1};
-        part_.objects = {&part_object_, 1};
+    SceneOf(const Scene& scene, int number) : object_(scene.objects[0]), scene_(scene), exact_(number % 2 == 0) {
+        const auto quarters = static_cast<uint32_t>(number) / 2;
+        if (exact_) object_.pose.rotation = rotate_x(90_deg * quarters) * rotate_y(90_deg * (quarters / 4));
+        if (number % 3 == 0) object_.material.reflection = Reflection::phong;
+        scene_.objects = {&object_, 1};
     }
     SceneOf(const SceneOf&) = delete;
-    const Scene& whole() const { return whole_; }
-    const Scene& part() const { return part_; }
+    const Scene& scene() const { return scene_; }
+    const Material& material() const { return object_.material; }
     bool exact() const { return exact_; }
 
 private:
-    Object whole_object_, part_object_{};
-    Scene whole_, part_;
+    Object object_;
+    Scene scene_;
     bool exact_;
 };
+
+/// The frame that shows what a mode shows.
+Frame frame_of(Mode mode) {
+    switch (mode) {
+        case Mode::ambient_only: return {.component = Component::ambient};
+        case Mode::diffuse_only: return {.component = Component::diffuse};
+        case Mode::specular_only: return {.component = Component::specular};
+        default: return {};
+    }
+}
 
 double largest_levels(const glm::dvec3& difference) {
     const glm::dvec3 d = glm::abs(difference) * levels_of_full_scale;
@@ -55,7 +60,8 @@ struct Agreement {
     std::size_t count = 0, beside_gate = 0;
 
     /// Beside the gate N.L = 0 the engine may stand on either side; judge() has looked at both.
-    void add(const SceneOf& scene, const glm::dvec3& engine_color, const glm::dvec3& textbook, const reference::LightParts& parts, const Verdict& verdict) {
+    void add(const SceneOf& scene, const glm::dvec3& engine_color, const glm::dvec3& textbook, const reference::LightParts& parts,
+             const Verdict& verdict) {
         ++count;
         if (verdict.beside_gate) {
             ++beside_gate;
@@ -69,8 +75,9 @@ struct Agreement {
         share_of_bound = std::max(share_of_bound, error / verdict.bound_levels);
     }
     void expect_held(const char* tier, const char* what) const {
-        std::printf("[ %-7s  ] %-34s worst %.4f levels, %.3f of its bound; textbook to reference %.1e, turned %.1e; %zu points, %zu beside a gate\n", tier,
-                    what, engine, share_of_bound, references, references_turned, count, beside_gate);
+        std::printf("[ %-7s  ] %-34s worst %.4f levels, %.3f of its bound; textbook to reference %.1e, turned %.1e; "
+                    "%zu points, %zu beside a gate\n",
+                    tier, what, engine, share_of_bound, references, references_turned, count, beside_gate);
         EXPECT_LE(references, references_max_difference);
         EXPECT_LE(references_turned, references_max_difference_turned);
         EXPECT_LE(share_of_bound, 1.0);
@@ -87,18 +94,17 @@ protected:
     static glm::dvec3 color_of(const ScreenVertex<Tier>& v) { return glm::dvec3(v.r, v.g, v.b) * std::ldexp(1.0, -bits); }
 
     static void add_vertices(Agreement& worst, const Scene& scene, Mode mode, int number) {
-        const SceneOf shown(scene, mode, number);
-        RuntimeRenderer<Tier> renderer(shown.part());
-        renderer.begin({}, {64, 64});
-        const reference::Scene exact = reference::value(shown.part());
-        const TextbookScene tutorial(shown.whole(), {64, 64});
+        const SceneOf shown(scene, number);
+        RuntimeRenderer<Tier> renderer(shown.scene());
+        renderer.begin(frame_of(mode), {64, 64});
+        const reference::Scene exact = reference::value(shown.scene());
+        const TextbookScene tutorial(shown.scene(), {64, 64});
         const textbook::Uniforms uniforms = tutorial.uniforms(0, mode);
-        const Object& object = shown.part().objects[0];
-        for (uint32_t i = 0; i < object.mesh.positions.count; ++i) {
+        for (uint32_t i = 0; i < scene.objects[0].mesh.positions.count; ++i) {
             const glm::dvec3 engine = color_of(renderer.lit_vertex(0, i));
-            const reference::LightParts parts = reference::light_vertex(exact, {}, 0, i);
+            const reference::LightParts parts = reference::light_vertex(exact, frame_of(mode), 0, i);
             worst.add(shown, engine, textbook::per_vertex::vertex_shader(uniforms, tutorial.attributes(0, i)).color, parts,
-                      judge(engine, parts, object.material, promised<Tier>(bits)));
+                      judge(engine, parts, shown.material(), promised<Tier>(bits)));
         }
     }
 };
@@ -188,17 +194,18 @@ TYPED_TEST(Textbook, PixelsOfPhongShading) {
         Random random(51 + static_cast<uint64_t>(mode));
         for (int i = 0; i < 60; ++i) {
             const RandomView view(random, Shading::phong);
-            const SceneOf shown(view.scene(), mode, i);
-            RuntimeRenderer<TypeParam> renderer(shown.part());
-            renderer.begin({}, viewport);
-            const reference::Scene exact = reference::value(shown.part());
-            const TextbookScene tutorial(shown.whole(), viewport);
+            const SceneOf shown(view.scene(), i);
+            RuntimeRenderer<TypeParam> renderer(shown.scene());
+            renderer.begin(frame_of(mode), viewport);
+            const reference::Scene exact = reference::value(shown.scene());
+            const TextbookScene tutorial(shown.scene(), viewport);
             const textbook::Uniforms uniforms = tutorial.uniforms(0, mode);
-            each_pixel(renderer, shown.part(), [&](const glm::dvec3& engine, uint32_t face, const auto& index, const glm::dvec3& weights, const auto& corner) {
+            each_pixel(renderer, shown.scene(), [&](const glm::dvec3& engine, uint32_t face, const auto& index, const glm::dvec3& weights,
+                                                    const auto& corner) {
                 const auto out = [&](std::size_t k) { return textbook::per_fragment::vertex_shader(uniforms, tutorial.attributes(0, index[k])); };
                 const glm::dvec3 color = textbook::per_fragment::fragment_shader(uniforms, textbook::interpolate(out(0), out(1), out(2), weights));
-                const reference::LightParts parts = reference::light_surface(exact, {}, 0, face, {weights, corner});
-                worst.add(shown, engine, color, parts, judge(engine, parts, shown.part().objects[0].material, promised<TypeParam>(this->bits)));
+                const reference::LightParts parts = reference::light_surface(exact, frame_of(mode), 0, face, {weights, corner});
+                worst.add(shown, engine, color, parts, judge(engine, parts, shown.material(), promised<TypeParam>(this->bits)));
             });
         }
         static constexpr const char* names[] = {"Phong, all terms", "Phong, ambient only", "Phong, diffuse only", "Phong, specular only"};
@@ -221,18 +228,18 @@ TYPED_TEST(Textbook, PixelsOfGouraudShading) {
     for (int i = 0; i < 120; ++i) {
         const RandomView view(random, Shading::gouraud);
         const Mode mode = modes[i / 2 % 4];
-        const SceneOf shown(view.scene(), mode, i);
-        RuntimeRenderer<TypeParam> renderer(shown.part());
-        renderer.begin({}, viewport);
-        const reference::Scene exact = reference::value(shown.part());
-        const TextbookScene tutorial(shown.whole(), viewport);
+        const SceneOf shown(view.scene(), i);
+        RuntimeRenderer<TypeParam> renderer(shown.scene());
+        renderer.begin(frame_of(mode), viewport);
+        const reference::Scene exact = reference::value(shown.scene());
+        const TextbookScene tutorial(shown.scene(), viewport);
         const textbook::Uniforms uniforms = tutorial.uniforms(0, mode);
-        each_pixel(renderer, shown.part(), [&](const glm::dvec3& engine, uint32_t, const auto& index, const glm::dvec3& weights, const auto&) {
+        each_pixel(renderer, shown.scene(), [&](const glm::dvec3& engine, uint32_t, const auto& index, const glm::dvec3& weights, const auto&) {
             double vertex_bound = 0;
             bool beside_gate = false;
             for (const uint32_t corner : index) {
-                const reference::LightParts parts = reference::light_vertex(exact, {}, 0, corner);
-                const Verdict v = judge(this->color_of(renderer.lit_vertex(0, corner)), parts, shown.part().objects[0].material, promised<TypeParam>(this->bits));
+                const reference::LightParts parts = reference::light_vertex(exact, frame_of(mode), 0, corner);
+                const Verdict v = judge(this->color_of(renderer.lit_vertex(0, corner)), parts, shown.material(), promised<TypeParam>(this->bits));
                 vertex_bound = std::max(vertex_bound, v.bound_levels);
                 beside_gate = beside_gate || v.beside_gate;
             }
@@ -272,7 +279,8 @@ TYPED_TEST(Textbook, PlacesOnTheScreen) {
             engine = std::max({engine, off.x, off.y});
         }
     }
-    std::printf("[ %-7s  ] places on the screen: textbook to reference %.1e px, to the engine %.4f px of 1/16\n", TypeParam::name, references, engine);
+    std::printf("[ %-7s  ] places on the screen: textbook to reference %.1e px, to the engine %.4f px of 1/16\n", TypeParam::name,
+                references, engine);
     EXPECT_LE(references, 1e-9);
     EXPECT_LE(engine, 0.5 / 16 * 1.01);  // snapped to the nearest sixteenth
     EXPECT_GT(engine, 0.02);
