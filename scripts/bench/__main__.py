@@ -6,6 +6,7 @@ import signal
 import sys
 
 import budgets
+import glsl_cost
 import tables
 from commands import PROJECT, BenchError, run
 from counting import FrameCount, build_plugin, measure, shared_ranges
@@ -33,11 +34,15 @@ def arguments():
                         help="also accept today's counts as tests/budget/budgets.csv; limits stay")
     parser.add_argument("--profile", metavar="SCENE", choices=SCENES,
                         help="instead, print where the instructions of one scene go, S1 to S6")
+    parser.add_argument("--glsl", action="store_true",
+                        help="instead, print what a call of GLSL's functions costs: the table of docs/glsl.md")
     parser.add_argument("--board", choices=BOARDS, help=f"with --profile: the board ({DEFAULT_BOARD})")
     parser.add_argument("--tier", choices=TIERS, help=f"with --profile: the precision tier ({DEFAULT_TIER})")
     given = parser.parse_args()
     if given.profile and (given.update or given.bless):
         parser.error("--profile measures one scene, so that --update and --bless cannot be given with it")
+    if given.glsl and (given.update or given.bless or given.profile):
+        parser.error("--glsl measures functions, so that --update, --bless and --profile cannot be given with it")
     if not given.profile and (given.board or given.tier):
         parser.error("--board and --tier choose what --profile looks at, and it was not given")
     return given
@@ -105,6 +110,8 @@ def main():
         plugin = build_plugin(BUILDS / "bench")
         if given.profile:
             profile(given, plugin)
+        elif given.glsl:
+            print(glsl_cost.table(plugin))
         else:
             measure_all(given, plugin)
     except BenchError as error:

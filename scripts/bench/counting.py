@@ -33,12 +33,13 @@ def emulator(board):
 class FrameCount:
     """The instructions of an image's first frame. Those in the `shared` ranges are counted apart for each caller."""
 
-    def __init__(self, image, plugin, board, shared=()):
+    def __init__(self, image, plugin, board, shared=(), marks=("frame_begin", "frame_end")):
         self.image = image
+        self._marks = marks
         self._shared = shared
         text = self._run(plugin, board)
         self.stack_bytes = int(re.match(r"stack (\d+)", text)[1])
-        marker = image.extent("frame_begin")  # its own instructions are not the frame's
+        marker = image.extent(marks[0])  # its own instructions are not the frame's
         rows = [line.split() for line in text.splitlines()[1:]]
         self.counts = [(int(a, 16), int(caller, 16), int(n)) for a, caller, n in rows if int(a, 16) not in marker]
         self.instructions = sum(n for _, _, n in self.counts)
@@ -48,7 +49,7 @@ class FrameCount:
         with tempfile.TemporaryDirectory() as folder:
             shared, out = Path(folder, "shared"), Path(folder, "counts")
             shared.write_text("".join(f"{first:x} {end:x}\n" for first, end in self._shared))
-            arguments = {"begin": image.address("frame_begin"), "end": image.address("frame_end"),
+            arguments = {"begin": image.address(self._marks[0]), "end": image.address(self._marks[1]),
                          "stack": image.address("shade16_bss_end"), "stack_end": image.address("shade16_stack_end"),
                          "shared": shared, "out": out}
             options = ",".join(f"{name}={value}" for name, value in arguments.items())
@@ -56,7 +57,7 @@ class FrameCount:
             run([program, "-plugin", f"{plugin},{options}", *rest, image.path], f"{image.path} does not run",
                 seconds=_LONGEST_RUN_SECONDS)
             if not out.exists():
-                raise BenchError(f"{image.path} ended without a call of frame_begin() and then of frame_end().")
+                raise BenchError(f"{image.path} ended without a call of {self._marks[0]}() and then of {self._marks[1]}().")
             return out.read_text()
 
     def stages(self):

@@ -16,3 +16,7 @@ shade16_add_script_test(forbidden_symbols.are_found LABEL budget SCRIPT budget/f
 
 # What the instruction counter is tested with, from the host build: see instructions.cmake.
 shade16_add_image(known_count ${CMAKE_CURRENT_SOURCE_DIR}/budget/counter/known_count.cpp)
+
+# What scripts/bench.sh --glsl counts in, built when it asks.
+shade16_add_image(glsl_cost ${CMAKE_CURRENT_SOURCE_DIR}/budget/glsl_cost.cpp)
+set_target_properties(glsl_cost PROPERTIES EXCLUDE_FROM_ALL ON)

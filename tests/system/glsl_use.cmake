@@ -9,7 +9,7 @@ file(MAKE_DIRECTORY ${SCRATCH})
 
 function(compile use)
   shade16_run(ignored ${COMPILER} ${flags} -std=c++20 -O2 -ffunction-sections -fdata-sections -ffreestanding -fno-exceptions
-    -fno-rtti -D${use} -I ${SOURCE}/core/include -c ${SOURCE}/tests/system/glsl_use.cpp -o ${SCRATCH}/${use}.o)
+    -fno-rtti -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wdouble-promotion -Werror -D${use} -I ${SOURCE}/core/include -c ${SOURCE}/tests/system/glsl_use.cpp -o ${SCRATCH}/${use}.o)
 endfunction()
 
 # expect_symbols(<use> <name>...): the functions and tables in the object file, their arguments left out.

@@ -20,31 +20,33 @@ namespace detail {
 template <FloatVector A>
 constexpr uint64_t square(const A& a) {
     const Value<A> v = a;
-    uint64_t sum = 0;
-    for (int i = 0; i < A::size; ++i) {
-        const uint32_t m = magnitude(v[i].raw);
-        sum = shade16::min<uint64_t>(sum + multiply(m, m), uint64_t{1} << 63);
-    }
-    return sum;
+    constexpr uint64_t limit = uint64_t{1} << 63;
+    const auto squared = [](Q16 x) { return multiply(magnitude(x.raw), magnitude(x.raw)); };
+    if constexpr (A::size < 4) return shade16::min<uint64_t>(sum_of(squared, v), limit);  // 3 * 2^62
+    else return shade16::min<uint64_t>(shade16::min<uint64_t>(sum_of(squared, Vector<Q16, 3>(v)), limit) + squared(v.w), limit);
 }
 
 /// a.b with 32 fraction bits, exactly where it is below 2^29.
 template <class V>
 constexpr int64_t dot_q32(const V& a, const V& b) {
-    int64_t quarters = 0, rest = 0;
-    for (int i = 0; i < V::size; ++i) {
-        const int64_t product = multiply(a[i].raw, b[i].raw);
-        quarters += product >> 2, rest += product & 3;
-    }
+    const int64_t quarters = sum_of([](Q16 p, Q16 q) { return multiply(p.raw, q.raw) >> 2; }, a, b);
+    const int64_t rest = sum_of([](Q16 p, Q16 q) { return multiply(p.raw, q.raw) & 3; }, a, b);
     constexpr int64_t limit = int64_t{1} << 59;
     return shade16::clamp<int64_t>(quarters, -limit, limit) * 4 + rest;
 }
 
-/// base - k n for a base and a factor k in Q32; of the factor the first 31 bits count.
-SHADE16_ONCE constexpr Q16 less_multiple(int64_t base, int64_t k, Q16 n) {
-    const int shift = shade16::max<int>(33 - leading_zeros(magnitude(k)), 0);
-    const int64_t product = multiply(saturate(shift_right_round(k, shift)), n.raw);  // with 48 - shift fraction bits
-    const int up = shift - 16;
+/// A factor in Q32 of which the first 31 bits count: mantissa * 2^(shift - 32).
+struct Factor {
+    int32_t mantissa = 0;
+    int shift = 0;
+
+    constexpr explicit Factor(int64_t k) : shift(shade16::max<int>(33 - leading_zeros(magnitude(k)), 0)) { mantissa = saturate(shift_right_round(k, shift)); }
+};
+
+/// base - k n for a base in Q32.
+SHADE16_ONCE constexpr Q16 less_multiple(int64_t base, Factor k, Q16 n) {
+    const int64_t product = multiply(k.mantissa, n.raw);  // with 48 - shift fraction bits
+    const int up = k.shift - 16;
     if (up <= 0) return Q16::from_raw(saturate(shift_right_round(base - shift_right_round(product, -up), 16)));
     const int64_t limit = (int64_t{1} << 61) >> up;
     const int64_t multiple = shade16::clamp<int64_t>(product, -limit, limit) * (int64_t{1} << up);
@@ -89,20 +91,17 @@ template <FloatVector A>
 constexpr Value<A> normalize(const A& a) {
     const Value<A> v = a;
     uint32_t bits = 0;
-    for (int i = 0; i < A::size; ++i) bits |= magnitude(v[i].raw);
+    detail::each<Value<A>>([&bits](Q16 x) { return bits |= magnitude(x.raw), x; }, v);
     if (bits == 0) return v;
-    Vector<int32_t, A::size> m;
-    uint64_t s = 0;
-    for (int i = 0; i < A::size; ++i) {
-        m[i] = scale_by_power_of_two(v[i].raw, leading_zeros(bits) - 2);
-        s += multiply(magnitude(m[i]), magnitude(m[i]));  // at most 2^62
-    }
+    const int up = leading_zeros(bits) - 2;  // so that the sum of squares is at most 2^62
+    using Fixed = Vector<int32_t, A::size>;
+    const Fixed m = detail::each<Fixed>([up](Q16 x) { return up >= 0 ? shift_left(x.raw, up) : shift_right_round(x.raw, -up); }, v);
+    const uint64_t s = detail::sum_of([](int32_t x) { return static_cast<uint64_t>(multiply(x, x)); }, m);
     const int zeros = leading_zeros(s) & ~1;
     const uint32_t mantissa = static_cast<uint32_t>((s << zeros) >> 32);
     const uint32_t r = shade16::detail::rsqrt_step(rsqrt_newton(mantissa), mantissa);  // 1/sqrt(s) = r 2^(zeros / 2 - 63)
-    Value<A> unit;
-    for (int i = 0; i < A::size; ++i) unit[i] = Q16::from_raw(static_cast<int32_t>(shift_right_round(multiply(m[i], r), 47 - zeros / 2)));
-    return unit;
+    const int down = 47 - zeros / 2;
+    return detail::each<Value<A>>([r, down](int32_t x) { return Q16::from_raw(static_cast<int32_t>(shift_right_round(multiply(x, r), down))); }, m);
 }
 constexpr Q16 normalize(Q16 x) { return sign(x); }
 
@@ -125,11 +124,11 @@ constexpr Value<A> faceforward(const A& n, const Value<A>& i, const Value<A>& nr
 /// i - 2 (n.i) n: the direction that a mirror with the unit normal n sends i to.
 /// Range   any i; n no longer than 2, else the error grows with it. Saturates.
 /// Error   reflect_max_error; from 2 |n.i| = 16 also 2^reflect_max_relative_error_log2 of it.
-/// Cost    a dot and a long multiply a component.
+/// Cost    a dot and a long multiply a component, with shifts: M3 244 instructions, M0+ 729 (three components).
 template <FloatVector A>
 constexpr Value<A> reflect(const A& i, const Value<A>& n) {
     const Value<A> v = i;
-    const int64_t k = 2 * detail::dot_q32(n, v);
+    const detail::Factor k(2 * detail::dot_q32(n, v));
     return detail::each<Value<A>>([k](Q16 p, Q16 q) { return detail::less_multiple(int64_t{p.raw} * 65536, k, q); }, v, n);
 }
 
@@ -143,7 +142,7 @@ constexpr Value<A> refract(const A& i, const Value<A>& n, Q16 eta) {
     const int64_t d = detail::dot_q32(n, v);
     uint32_t root = 0;
     if (!detail::refracted_cosine(d, eta, root)) return {};
-    const int64_t k = shift_right_round(multiply(eta.raw, saturate(shift_right_round(d, 2))), 14) + 2 * int64_t{root};
+    const detail::Factor k(shift_right_round(multiply(eta.raw, saturate(shift_right_round(d, 2))), 14) + 2 * int64_t{root});
     return detail::each<Value<A>>([k, eta](Q16 p, Q16 q) { return detail::less_multiple(multiply(eta.raw, p.raw), k, q); }, v, n);
 }
 

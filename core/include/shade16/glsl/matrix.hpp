@@ -58,28 +58,23 @@ inline constexpr Ulps dot_max_error = 0.501_ulps;
 /// Error   dot_max_error.  Cost  a long multiply a component.
 template <FloatVector A>
 constexpr Q16 dot(const A& a, const Value<A>& b) {
-    const Value<A> p = a;
-    int64_t sum = 0;
-    for (int i = 0; i < A::size; ++i) sum += multiply(p[i].raw, b[i].raw) >> 2;
+    const int64_t sum = detail::sum_of([](Q16 p, Q16 q) { return multiply(p.raw, q.raw) >> 2; }, Value<A>(a), b);
     return Q16::from_raw(saturate(shift_right_round(sum, 14)));
 }
 constexpr Q16 dot(Q16 a, Q16 b) { return a * b; }
 
 template <int N>
 constexpr Matrix<N> transpose(const Matrix<N>& m) {
-    Matrix<N> result;
-    for (int i = 0; i < N; ++i)
-        for (int j = 0; j < N; ++j) result.column[j][i] = m.column[i][j];
-    return result;
+    return detail::by_index<Matrix<N>>([&m](int row) {
+        return detail::by_index<Vector<Q16, N>>([&m, row](int i) { return m.column[i][row]; });
+    });
 }
 
 /// Products of matrices and vectors. v * m takes v for a row, m * v for a column.
 /// Range   any; entries saturate.  Error  dot_max_error an entry.  Cost  a dot an entry.
 template <int N>
 constexpr Vector<Q16, N> operator*(const typename Matrix<N>::Column& v, const Matrix<N>& m) {
-    Vector<Q16, N> result;
-    for (int i = 0; i < N; ++i) result[i] = dot(v, m.column[i]);
-    return result;
+    return detail::by_index<Vector<Q16, N>>([&](int i) { return dot(v, m.column[i]); });
 }
 template <int N>
 constexpr Vector<Q16, N> operator*(const Matrix<N>& m, const typename Matrix<N>::Column& v) { return v * transpose(m); }

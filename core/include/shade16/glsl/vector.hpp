@@ -39,8 +39,8 @@ concept MakesA = AnyVector<V> && V::size >= N && !__is_same(typename V::Value, V
 }  // namespace detail
 
 template <int... I, class T, int N>
-SHADE16_INLINE constexpr Vector<T, sizeof...(I)> pick(const Vector<T, N>& v) {
-    return Vector<T, sizeof...(I)>(v[I]...);
+SHADE16_INLINE constexpr Vector<T, static_cast<int>(sizeof...(I))> pick(const Vector<T, N>& v) {
+    return Vector<T, static_cast<int>(sizeof...(I))>(v[I]...);
 }
 
 template <class T>
@@ -168,6 +168,23 @@ SHADE16_INLINE constexpr R each(F f, const V&... v) {
     if constexpr (R::size == 2) return R(f(v.x...), f(v.y...));
     else if constexpr (R::size == 3) return R(f(v.x...), f(v.y...), f(v.z...));
     else return R(f(v.x...), f(v.y...), f(v.z...), f(v.w...));
+}
+
+/// The sum of f of each component, or of pairs of them.
+template <class F, class V, class... W>
+SHADE16_INLINE constexpr auto sum_of(F f, const V& v, const W&... w) {
+    auto sum = f(v.x, w.x...) + f(v.y, w.y...);
+    if constexpr (V::size > 2) sum += f(v.z, w.z...);
+    if constexpr (V::size > 3) sum += f(v.w, w.w...);
+    return sum;
+}
+
+/// f(0), f(1), ..: as many as R has parts. Not a loop: an index that is known costs nothing.
+template <class R, class F>
+SHADE16_INLINE constexpr R by_index(F f) {
+    if constexpr (R::size == 2) return R(f(0), f(1));
+    else if constexpr (R::size == 3) return R(f(0), f(1), f(2));
+    else return R(f(0), f(1), f(2), f(3));
 }
 }  // namespace detail
 
