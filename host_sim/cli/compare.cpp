@@ -26,12 +26,25 @@ Comparison comparison(const AnimatedScene& scene, const CompareOptions& o) {
     return result;
 }
 
+/// A frame that is black in both pictures compares nothing.
+void refuse_what_is_not_there(Component component, const Needs& needs) {
+    const bool is_there = component == Component::ambient    ? needs.ambient || needs.unlit
+                          : component == Component::diffuse  ? needs.diffuse
+                          : component == Component::specular ? needs.specular
+                                                             : true;
+    const char* const names[] = {"all", "ambient", "diffuse", "specular"};
+    if (!is_there)
+        throw input_error("--component {}: the scene has no such light; expected a component that it has.",
+                          names[static_cast<std::size_t>(component)]);
+}
+
 }  // namespace
 
 ExitCode compare(const CompareOptions& options) {
     CompareOptions o = options;
     const OpenScene open = open_scene(o);
     const AnimatedScene& scene = *open.scene;
+    refuse_what_is_not_there(o.component, needs_of(scene.scene()));
     if (!o.quiet) print_warnings(scene.warnings());
     std::vector<Comparison> all;
     for (const char* tier : {lowp::name, mediump::name, highp::name})

@@ -20,6 +20,8 @@ public:
     RuntimeRenderer(const RuntimeRenderer&) = delete;
     RuntimeRenderer& operator=(const RuntimeRenderer&) = delete;
 
+    void use_shininess(const Shininess<Tier>* const* kernels) { pipeline_.use_shininess(kernels); }
+
     void begin(const Frame& frame, Viewport viewport) {
         viewport_ = viewport;
         pipeline_.begin(frame, viewport);

@@ -14,16 +14,30 @@ struct FrameValues {
     const Camera& camera;
     shade16::View<Light> lights;
     const Pose* poses;  // nullptr: the objects' own
+    const Material* materials;  // nullptr: the objects' own
     Component component;
 
     FrameValues(const shade16::Scene& scene, const Frame& frame)
         : camera(frame.camera != nullptr ? *frame.camera : scene.camera),
           lights(frame.lights != nullptr ? frame.lights : scene.lights.first, scene.lights.count), poses(frame.poses),
-          component(frame.component) {}
+          materials(frame.materials), component(frame.component) {}
     const Pose& pose(const shade16::Scene& scene, std::size_t object) const {
         return poses != nullptr ? poses[object] : scene.objects[static_cast<uint32_t>(object)].pose;
     }
-    Material material(const shade16::Scene& scene, std::size_t object) const { return part_of(scene.objects[static_cast<uint32_t>(object)].material, component); }
+    /// With the colours of the frame, those black that its component does not show.
+    Material material(const shade16::Scene& scene, std::size_t object) const {
+        Material m = scene.objects[static_cast<uint32_t>(object)].material;
+        if (materials != nullptr) {
+            const Material& of_frame = materials[object];
+            m.ambient = of_frame.ambient, m.diffuse = of_frame.diffuse, m.specular = of_frame.specular, m.emissive = of_frame.emissive;
+            m.reflection = of_frame.reflection;
+        }
+        m.ambient = shows(component, Component::ambient) ? m.ambient_color() : black;
+        if (!shows(component, Component::ambient)) m.emissive = black;
+        if (!shows(component, m.unlit ? Component::ambient : Component::diffuse)) m.diffuse = black;
+        if (!shows(component, Component::specular)) m.specular = black;
+        return m;
+    }
 };
 
 /// The light at a vertex, and at a face's centre with the face's own normal, in parts.

@@ -37,6 +37,22 @@ TEST(CliCompare, the_teapot_keeps_every_promise) {
     expect_promises_kept(teapot(), "--size 1x1 --frames 1");
 }
 
+TEST(CliCompare, lamps_and_every_component_keep_every_promise) {
+    const std::string lamps = (source_directory() / "assets/scenes/lamps.toml").string();
+    expect_promises_kept(lamps, "--frames 3");
+    for (const char* component : {"ambient", "diffuse", "specular"})
+        expect_promises_kept(lamps, std::string("--frames 1 --size 80x60 --component ") + component);
+    expect_promises_kept(lamps, "--frames 1 --size 80x60 --shading phong --tier highp");
+}
+
+TEST(CliCompare, a_component_that_is_not_there_is_refused) {
+    const ScratchDirectory scratch;
+    const std::string scene = scratch.write("dark.toml", "[meshes.ball]\nshape = \"sphere\"\n[[objects]]\nmesh = \"ball\"\n");
+    const Ran ran = shade16_program("compare --quiet " + scene + " --component specular");
+    EXPECT_EQ(ran.exit_code, 2);
+    EXPECT_THAT(ran.err, HasSubstr("--component specular: the scene has no such light; expected a component that it has."));
+}
+
 TEST(CliCompare, the_table_says_what_it_means) {
     const std::string table = shade16_program("compare " + teapot() + " --frames 1").out;
     for (const char* part : {"one level is 1/255 of a colour channel", "(i) ", "(ii) ", "(iii) ", "0.75; 2.5", "lowp",

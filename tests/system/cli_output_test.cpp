@@ -101,9 +101,11 @@ TEST(CliOutput, raw_begins_with_the_low_byte_of_the_background) {
 TEST(CliOutput, every_choice_draws_another_picture) {
     const std::string usual = rendered(".png", "");
     for (const char* options :
-         {"--engine reference", "--tier lowp", "--tier highp", "--format rgb888", "--shading flat"})
+         {"--engine reference", "--tier lowp", "--tier highp", "--format rgb888", "--shading flat",
+          "--component ambient", "--component diffuse", "--component specular"})
         EXPECT_NE(rendered(".png", options), usual) << options;
     EXPECT_EQ(rendered(".png", "--shading gouraud"), usual);  // the material's own
+    EXPECT_EQ(rendered(".png", "--component all"), usual);
 }
 
 TEST(CliOutput, verbose_prints_a_fit_within_the_wanted_limits) {

@@ -152,6 +152,7 @@ TEST(CliRefusal, words_nobody_knows) {
     expect_usage_refused("--engine fixd", "--engine fixd: expected fixed or reference; did you mean fixed?");
     for (const char* angle : {"181", "-1", "sharp", "30x", "nan"})
         expect_usage_refused(std::string("--crease ") + angle, std::string("--crease ") + angle + ": expected an angle from 0 to 180 degrees, such as 60.");
+    expect_usage_refused("--component spekular", "--component spekular: expected all, ambient, diffuse or specular; did you mean specular?");
     expect_usage_refused("--shading toon", "--shading toon: expected flat, gouraud or phong.");
     expect_usage_refused("--engine gl", "--engine gl: expected fixed or reference.");
     expect_usage_refused("--szie 1x1", "--szie: there is no such option; did you mean --size?");

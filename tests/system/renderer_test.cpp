@@ -87,6 +87,28 @@ constexpr Scene textured_scene{.camera = near_by, .lights = lamps, .objects = cr
 constexpr Scene clipped_textured_scene{.camera = {.eye = {1.1_q16, 0.4_q16, 1}, .near_distance = 0.7_q16}, .lights = lamps, .objects = crates_and_others};
 constexpr Scene floor_scene{.camera = {.eye = {0, 0, 3}, .near_distance = 0.5_q16}, .lights = sun, .objects = floor_alone};
 
+constexpr Light stage[] = {ambient_light(rgb(0x101010)),
+                           spot_light({0, 3, 1}, {{0, -3, -1}, 10_deg, 20_deg, 8}, white, 2),
+                           {.kind = LightKind::spot, .position = {1, 0, 0}, .space = Space::view, .range = 5, .spot = {{-0.3_q16, 0, -1}, 3_deg, 9_deg, 0}},
+                           {.kind = LightKind::spot, .position = {0, 0, 2}, .space = Space::object, .attenuation = {1, 0, 0.25_q16, 0.5_q16}, .spot = {.inner = 20_deg}},
+                           {.kind = LightKind::point, .position = {-1, 1, 1}, .attenuation = {.power = 1.5_q16}, .range = 2}, directional_light({1, 2, 3}, rgb(0x404040))};
+constexpr Light ending[] = {{.kind = LightKind::point, .position = {1, 1, 1}, .range = 2.5_q16}};
+constexpr Light falling[] = {{.kind = LightKind::point, .position = {1, 1, 1}, .attenuation = {.power = 1}}, directional_light({1, 2, 3})};
+constexpr Material mirrored(Material m, Shading shading = Shading::gouraud) {
+    m.reflection = Reflection::phong;
+    m.shading = shading;
+    return m;
+}
+constexpr Object mirrored_torus[] = {{.mesh = torus<24, 12>.mesh(), .material = mirrored(*find_material("gold")), .pose = {.rotation = rotate_x(60_deg)}}};
+constexpr Object both_reflections[] = {
+    {.mesh = torus<24, 12>.mesh(), .material = mirrored(*find_material("gold"), Shading::phong), .pose = {.rotation = rotate_x(60_deg), .scale = {1, 0.7_q16, 1}}},
+    {.mesh = sphere<16, 8>.mesh(), .material = mirrored(*find_material("ruby"), Shading::flat), .pose = {.scale = {0.5_q16, 0.5_q16, 0.5_q16}, .translation = {0, 0, 0.5_q16}}},
+    {.mesh = colored(quad.mesh()), .material = *find_material("pearl"), .pose = {.scale = {2, 2, 2}, .translation = {0, 0, -0.5_q16}}}};
+constexpr Scene mirrored_scene{.camera = near_by, .lights = sun, .objects = mirrored_torus};
+constexpr Scene stage_scene{.camera = near_by, .lights = stage, .objects = both_reflections, .background = rgb(0x203020)};
+constexpr Scene ending_scene{.lights = ending, .objects = brass_torus};
+constexpr Scene falling_scene{.camera = near_by, .lights = falling, .objects = mirrored_torus};
+
 template <class Renderer, class Format>
 std::vector<typename Format::Pixel> frame_of(Renderer& renderer, int32_t rows = screen.height) {
     std::vector<typename Format::Pixel> pixels(static_cast<std::size_t>(screen.width * screen.height));
@@ -120,6 +142,7 @@ template <class S>
 class OnePicture : public testing::Test {};
 using Scenes = testing::Types<Named<torus_scene>, Named<flat_scene>, Named<cube_scene>, Named<egg_scene>, Named<map_scene>, Named<crowd_scene>, Named<inside_scene>,
                               Named<smooth_scene>, Named<lamp_scene>, Named<round_scene>, Named<mixed_scene>, Named<clipped_scene>,
+                              Named<mirrored_scene>, Named<stage_scene>, Named<ending_scene>, Named<falling_scene>,
                               Named<crate_scene>, Named<textured_scene>, Named<clipped_textured_scene>, Named<floor_scene>>;
 TYPED_TEST_SUITE(OnePicture, Scenes);
 
@@ -207,6 +230,36 @@ TEST(Renderer, SwappedFramesAreTheFramesWithBytesSwapped) {
     EXPECT_EQ(pixels, renderer.draw<Rgb565>());
 }
 
+// Colours and exponents that vary at run time draw what a scene compiled with them does.
+constexpr Object before[] = {{.mesh = torus<24, 12>.mesh(), .material = {.diffuse = rgb(0x405060), .specular = rgb(0x101010), .shininess = 3}}};
+constexpr Object after[] = {{.mesh = torus<24, 12>.mesh(), .material = {.ambient = rgb(0x111111), .diffuse = rgb(0x602040), .specular = white, .emissive = rgb(0x080400), .shininess = 77.7_q16}}};
+constexpr Scene scene_before{.camera = near_by, .lights = lamps, .objects = before}, scene_after{.camera = near_by, .lights = lamps, .objects = after};
+
+template <class Tier>
+void expect_materials_vary() {
+    auto memory = std::make_unique<Workspace<scene_before, Tier>>();
+    Renderer<scene_before, Tier, VertexStore::keep, needs_of(scene_before) | needs_of(scene_after)> renderer(*memory);
+    Shininess<Tier> kernel{};  // in RAM
+    const Shininess<Tier>* const kernels[] = {&kernel};
+    renderer.use_shininess(kernels);
+    const auto frame = [&](const Object& object) {
+        kernel = shininess<Tier>(object.material.shininess);
+        std::vector<Rgb565::Pixel> pixels(static_cast<std::size_t>(screen.width * screen.height));
+        std::vector<uint16_t> depth(pixels.size());
+        renderer.begin({.materials = &object.material}, screen);
+        renderer.draw(Band<Rgb565>{pixels.data(), depth.data(), screen.width, 0, screen.height});
+        return pixels;
+    };
+    EXPECT_EQ(frame(after[0]), (compiled<scene_after, Tier>())) << Tier::name;
+    EXPECT_EQ(frame(before[0]), (compiled<scene_before, Tier>())) << Tier::name;
+    EXPECT_NE(frame(before[0]), frame(after[0]));
+}
+TEST(Renderer, MaterialsVaryFromFrameToFrame) {
+    expect_materials_vary<lowp>();
+    expect_materials_vary<mediump>();
+    expect_materials_vary<highp>();
+}
+
 // Nothing undefined whatever the numbers: the sanitizer build runs this, too.
 TEST(Renderer, SurvivesRandomScenes) {
     std::mt19937 random(3);
@@ -215,8 +268,9 @@ TEST(Renderer, SurvivesRandomScenes) {
     for (int i = 0; i < 3000; ++i) {
         std::vector<Light> lights;
         for (uint32_t k = random() % 4; k > 0; --k)
-            lights.push_back({.kind = static_cast<LightKind>(random() % 3), .position = vec(), .intensity = Scaled{static_cast<uint32_t>(random()) | 0x80000000u, static_cast<int>(random() % 40) - 20},
-                              .space = static_cast<Space>(random() % 3), .attenuation = {any(), any(), any()}});
+            lights.push_back({.kind = static_cast<LightKind>(random() % 4), .position = vec(), .intensity = Scaled{static_cast<uint32_t>(random()) | 0x80000000u, static_cast<int>(random() % 40) - 20},
+                              .space = static_cast<Space>(random() % 3), .attenuation = {any(), any(), any(), any()},
+                              .range = any(), .spot = {vec(), {static_cast<uint32_t>(random())}, {static_cast<uint32_t>(random())}, any()}});
         Mesh mesh = random() % 2 ? torus<24, 12>.mesh() : random() % 2 ? textured_torus<12, 6>.mesh() : textured_cube.mesh();
         mesh.texcoord_bits = static_cast<int8_t>(random() % 16);
         mesh.fraction_bits = static_cast<int8_t>(random() % 31);
@@ -225,6 +279,7 @@ TEST(Renderer, SurvivesRandomScenes) {
         object.material.shading = static_cast<Shading>(random() % 3);
         object.material.normal_path = static_cast<NormalPath>(random() % 2);
         object.material.shininess = any();
+        object.material.reflection = static_cast<Reflection>(random() % 2);
         if (random() % 2) object.material.texture = &chequers;
         if (random() % 2) object.material.bump = &relief;
         object.material.filter = static_cast<Filter>(random() % 2), object.material.mapping = static_cast<Mapping>(random() % 2);
@@ -234,7 +289,7 @@ TEST(Renderer, SurvivesRandomScenes) {
         const Viewport viewport{1 + static_cast<int>(random() % 48), 1 + static_cast<int>(random() % 32)};
         const auto draw = [&](auto tier) {
             RuntimeRenderer<decltype(tier)> renderer(scene);
-            renderer.begin({}, viewport);
+            renderer.begin({.component = static_cast<Component>(i / 3 % 4)}, viewport);
             renderer.template draw<Rgb565>();
             renderer.template draw<Rgb888>();
         };

@@ -52,7 +52,18 @@ diffuse = [0.1, 0.3, 0.7]
 specular = "#00FF00"
 intensity = 12.345678
 attenuation = { constant = 0, linear = 0.3, quadratic = 0.017 }
+[[lights]]
+kind = "spot"
+space = "view"
+position = [0.3, 1.7, -2]
+direction = [0.1, -1, 0.2]
+inner = 7.7
+outer = 33.333333
+exponent = 5.3
+range = 12.1
+attenuation = { constant = 0.9, power = 1.3 }
 [materials."a \"b\""]
+reflection = "phong"
 ambient = [0.1, 0.2, 0.3]
 emissive = [0.01, 0.02, 0.03]
 shading = "flat"

@@ -47,6 +47,22 @@ TEST(SceneFileMistakes, keys_of_another_kind_of_thing) {
                  "3: unknown key 'slices' in mesh 'm'; expected one of shape, colors.");
 }
 
+TEST(SceneFileMistakes, lamps_that_can_not_be) {
+    const auto spot = [](const std::string& key, const std::string& sentence) {
+        expect_wrong("[meshes.ball]\nshape = \"sphere\"\n[[lights]]\nkind = \"spot\"\n" + key + "\n[[objects]]\nmesh = \"ball\"\n", "5: " + sentence);
+    };
+    spot("inner = 50", "'inner' in light 1 (spot) is 50; expected at most outer, which is 45.");
+    spot("outer = 91", "'outer' in light 1 (spot) is 91; expected a number from 0 to 90.");
+    spot("exponent = 200", "'exponent' in light 1 (spot) is 200; expected a number from 0 to 128.");
+    spot("direction = [0, 0, 0]", "'direction' in light 1 (spot) has no length; expected where the spot shines to, such as [0, -1, 0].");
+    spot("range = -1", "'range' in light 1 (spot) is -1; expected a number from 0 to 16384.");
+    spot("attenuation = { power = 2.5 }", "'power' in the attenuation of light 1 is 2.5; expected a number from 0 to 2.");
+    expect_wrong_key("[[lights]]", "kind = \"spotlight\"",
+                     "'kind' in light 1 is \"spotlight\"; expected \"ambient\", \"directional\", \"point\" or \"spot\".");
+    expect_wrong_key("[materials.m]", "reflection = \"fong\"",
+                     "'reflection' in material 'm' is \"fong\"; expected \"blinn_phong\" or \"phong\" (did you mean \"phong\"?).");
+}
+
 TEST(SceneFileMistakes, no_toml) {
     const auto complaint_of = [](const char* text) { return complaint([&] { read_scene_text(text, "scene.toml"); }); };
     EXPECT_THAT(complaint_of("a = = 1\n"), testing::StartsWith("2: scene.toml:1: is not valid TOML: "));

@@ -57,6 +57,22 @@ TEST(SceneFileValues, defaults_are_the_cores) {
     EXPECT_TRUE(same(lit.scene().lights[2], Light{.kind = LightKind::point}));
     EXPECT_EQ(lit.scene().objects[0].material, Material{});
     EXPECT_TRUE(same(lit.scene().camera, Camera{}));
+    const LoadedScene spot = loaded("[[lights]]\nkind = \"spot\"\n" + one_ball);
+    EXPECT_TRUE(same(spot.scene().lights[0], Light{.kind = LightKind::spot}));
+}
+
+TEST(SceneFileValues, of_a_spot) {
+    const LoadedScene scene = loaded(
+        "[[lights]]\nkind = \"spot\"\nposition = [1, 2, 3]\ndirection = [0, -1, 0.5]\ninner = 12.5\nouter = 30\n"
+        "exponent = 3\nrange = 9.5\nattenuation = { power = 0.7 }\n[materials.m]\nreflection = \"phong\"\n" +
+        one_ball + "material = \"m\"\n");
+    const Light expected{.kind = LightKind::spot,
+                         .position = {1, 2, 3},
+                         .attenuation = {.power = 0.7_q16},
+                         .range = 9.5_q16,
+                         .spot = {{0, -1, 0.5_q16}, 12.5_deg, 30_deg, 3}};
+    EXPECT_TRUE(same(scene.scene().lights[0], expected));
+    EXPECT_EQ(scene.scene().objects[0].material.reflection, Reflection::phong);
 }
 
 TEST(SceneFileValues, shapes_are_the_compilers) {

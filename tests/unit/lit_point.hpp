@@ -26,16 +26,17 @@ struct Setting {
 template <class Tier>
 Accumulator lit(const Setting& s, Normal14 normal = facing, Position16 position = {}) {
     const Mat3 view = look_rotation(s.camera);
-    const Material material = part_of(s.material, s.component);
     const View<Light> lights{s.lights.data(), static_cast<uint32_t>(s.lights.size())};
-    auto object = make_object_lighting<Tier>(s.camera, view, lights, material, s.pose, s.mesh);
+    auto object = make_object_lighting<Tier>(s.camera, view, lights, s.material, s.pose, s.mesh);
     std::vector<ObjectLight<Tier>> object_lights;
     std::vector<LampShape> shapes(s.lights.size());
     object.shapes = shapes.data();
+    keep_component(object, s.component);
     for (const Light& light : s.lights) {
         if (light.kind == LightKind::ambient) continue;
-        object_lights.push_back(make_object_light<Tier>(s.camera, view, light, material, s.pose, s.mesh));
+        object_lights.push_back(make_object_light<Tier>(s.camera, view, light, s.material, s.pose, s.mesh));
         ObjectLight<Tier>& last = object_lights.back();
+        keep_component(last, s.component);
         if (!detail::is_shaped(light)) continue;
         last.shape = static_cast<uint16_t>(object_lights.size());
         shapes[object_lights.size() - 1] = make_lamp_shape(view, light, s.pose, s.mesh, last.point.bits);

@@ -121,6 +121,17 @@ SHADE16_ONCE constexpr Normal30 half_vector(const Normal30& a, const Normal30& b
     return normalize30({(a.x.raw >> 1) + (b.x.raw >> 1), (a.y.raw >> 1) + (b.y.raw >> 1), (a.z.raw >> 1) + (b.z.raw >> 1)});
 }
 
+/// What a component leaves of them: set-up alone knows that there are components.
+template <PrecisionTier Tier>
+constexpr void keep_component(ObjectLighting<Tier>& o, Component shown) {
+    if (!shows(shown, Component::ambient)) o.base = {};
+}
+template <PrecisionTier Tier>
+constexpr void keep_component(ObjectLight<Tier>& o, Component shown) {
+    if (!shows(shown, Component::diffuse)) o.diffuse = {};
+    if (!shows(shown, Component::specular)) o.specular = {};
+}
+
 /// What one object keeps of the scene's ambient light, viewer and scale.
 template <PrecisionTier Tier>
 constexpr ObjectLighting<Tier> make_object_lighting(const Camera& camera, const Mat3& view_rotation, View<Light> lights,

@@ -23,6 +23,9 @@ public:
 
     constexpr Pipeline(PreparedScene<Tier> prepared, WorkspaceView<Tier> memory) : prepared_(prepared), work_(memory) {}
 
+    /// Other kernels than the prepared ones, of the caller's memory, one an object: from the next frame on. nullptr: no specular light.
+    constexpr void use_shininess(const Shininess<Tier>* const* kernels) { prepared_.shininess = kernels; }
+
     /// Begins a frame: sets every object up and, with VertexStore::keep, transforms its vertices.
     constexpr void begin(const Frame& frame, Viewport viewport) {
         const Scene& scene = prepared_.scene;
@@ -30,7 +33,6 @@ public:
         Camera camera = frame.camera != nullptr ? *frame.camera : scene.camera;
         if constexpr (!N.orthographic) camera.projection = Projection::perspective;
         if constexpr (!N.perspective) camera.projection = Projection::orthographic;
-        component_ = frame.component;
         const View<Light> lights(frame.lights != nullptr ? frame.lights : scene.lights.first, scene.lights.count);
         const View3 view = make_view(camera, viewport);
         uint32_t first_vertex = 0, first_face = 0, first_split = 0;
@@ -39,7 +41,9 @@ public:
             const Pose& pose = frame.poses != nullptr ? frame.poses[i] : object.pose;
             ObjectState<Tier>& state = work_.objects[i];
             state.first_vertex = first_vertex, state.first_face = first_face, state.first_split = first_split;
-            begin_object(state, object, pose, camera, view, lights, i);
+            begin_object(state, object, pose, view, lights, i);
+            const Material& material = frame.materials != nullptr ? frame.materials[i] : object.material;
+            light_object(state, frame.component, material, object, pose, camera, view, lights);
             first_vertex += object.mesh.positions.count;
             if (detail::is_flat(object.material)) first_face += object.mesh.triangles.count;
             if constexpr (N.texture)
@@ -77,13 +81,11 @@ public:
     }
 
 private:
-    constexpr void begin_object(ObjectState<Tier>& state, const Object& object, const Pose& pose, const Camera& camera, const View3& view,
-                                View<Light> lights, uint32_t index) {
+    constexpr void begin_object(ObjectState<Tier>& state, const Object& object, const Pose& pose, const View3& view, View<Light> lights,
+                                uint32_t index) {
         state.transform = make_view_transform(view, pose, object.mesh);
         state.shininess = prepared_.shininess[index];
         state.first_light = index * lights.count;
-        if (component_ == Component::all) light_object(state, object.material, object, pose, camera, view, lights);
-        else light_object(state, part_of(object.material, component_), object, pose, camera, view, lights);
         if constexpr (Store == VertexStore::keep) {
             state.is_inside = true;
             for (uint32_t i = 0; i < object.mesh.positions.count; ++i)
@@ -94,9 +96,10 @@ private:
         }
     }
 
-    [[gnu::noinline]] constexpr void light_object(ObjectState<Tier>& state, const Material& material, const Object& object, const Pose& pose,
-                                                  const Camera& camera, const View3& view, View<Light> lights) {
+    constexpr void light_object(ObjectState<Tier>& state, Component shown, const Material& material, const Object& object, const Pose& pose,
+                                const Camera& camera, const View3& view, View<Light> lights) {
         state.lighting = make_object_lighting<Tier>(camera, view.rotation, lights, material, pose, object.mesh);
+        keep_component(state.lighting, shown);
         if constexpr (detail::shapes_lamps(N))
             if (work_.shapes != nullptr) state.lighting.shapes = work_.shapes + state.first_light;
         state.lights = 0;
@@ -106,6 +109,7 @@ private:
                 const uint32_t number = state.lights++;
                 ObjectLight<Tier>& lit = work_.lights[state.first_light + number];
                 lit = make_object_light<Tier>(camera, view.rotation, light, material, pose, object.mesh);
+                keep_component(lit, shown);
                 if constexpr (detail::shapes_lamps(N))
                     if (work_.shapes != nullptr && detail::is_shaped(light)) {
                         work_.shapes[state.first_light + number] = make_lamp_shape(view.rotation, light, pose, object.mesh, lit.point.bits);
@@ -417,7 +421,6 @@ private:
     PreparedScene<Tier> prepared_;
     WorkspaceView<Tier> work_;
     Viewport viewport_{};
-    Component component_ = Component::all;
 };
 
 }  // namespace shade16

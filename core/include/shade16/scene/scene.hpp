@@ -38,17 +38,7 @@ struct Scene {
 /// vertex colours, within one unit of it). ambient: ambient and emissive light, and all of an unlit object.
 enum class Component : uint8_t { all, ambient, diffuse, specular };
 
-/// A material with that part alone.
-constexpr Material part_of(const Material& material, Component component) {
-    if (component == Component::all) return material;
-    const bool ambient = component == Component::ambient;
-    Material m = material;
-    m.ambient = ambient ? material.ambient_color() : black;
-    if (!ambient) m.emissive = black;
-    if (component != (material.unlit ? Component::ambient : Component::diffuse)) m.diffuse = black;
-    if (component != Component::specular) m.specular = black;
-    return m;
-}
+constexpr bool shows(Component shown, Component part) { return shown == Component::all || shown == part; }
 
 /// The values of one frame, where they differ from the scene's. They may vary a term, never add one: a scene compiled
 /// without specular has no code for it, and one seen in perspective stays so. An array, when given, has as many elements
@@ -57,6 +47,7 @@ struct Frame {
     const Camera* camera = nullptr;
     const Light* lights = nullptr;
     const Pose* poses = nullptr;
+    const Material* materials = nullptr;  // vary in colours and reflection alone; an exponent varies by Renderer::use_shininess
     Component component = Component::all;
 };
 
