@@ -24,6 +24,7 @@ inline constexpr const char* render_help =
   shade16 render teapot.obj -o turn.png --frames 12                  turn-0000.png to turn-0011.png
   shade16 render teapot.obj -o frame.rgb565 --format rgb565_swapped  the bytes that an SPI display takes
   shade16 render teapot.obj -o - | ffmpeg -i - turn.gif              a stream
+  shade16 render teapot.obj -o shine.png --component specular        the highlights alone
   shade16 render scene.toml -o scene.y4m                             camera, lights and objects of your own
   shade16 render teapot.obj --dump-scene                             the scene around a model: a file to begin with
 

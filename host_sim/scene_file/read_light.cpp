@@ -12,8 +12,8 @@ constexpr Range cone_angles{0, 90}, cone_exponents{0, 128};
 const std::vector<std::string> kinds{"ambient", "directional", "point", "spot"};
 
 LightKind kind_of_light(const SceneTables& tables, const std::string& what, const TomlValue& value) {
-    const std::vector<std::string> any{"kind",  "color",     "diffuse",  "specular",   "intensity", "space",
-                                       "direction", "position", "attenuation", "range",    "inner",     "outer", "exponent"};
+    const std::vector<std::string> any{"kind",     "color",       "diffuse", "specular", "intensity", "space",   "direction",
+                                       "position", "attenuation", "range",   "inner",    "outer",     "exponent"};
     const auto kind = tables.reader(what, value, any).word("kind", kinds);
     return kind ? static_cast<LightKind>(*kind) : Light{}.kind;
 }
@@ -33,7 +33,8 @@ std::vector<std::string> keys_of(LightKind kind) {
 }
 
 Attenuation read_attenuation(const SceneTables& tables, const std::string& what, const TomlValue& value) {
-    const TableReader table = tables.reader("the attenuation of " + what, value, {"constant", "linear", "quadratic", "power"});
+    const TableReader table =
+        tables.reader("the attenuation of " + what, value, {"constant", "linear", "quadratic", "power"});
     Attenuation a;
     table.read("constant", a.constant, factors);
     table.read("linear", a.linear, factors);

@@ -1,6 +1,7 @@
 // Stage 3b, light: ambient + diffuse + specular at one point of one object.
 #pragma once
 
+#include "shade16/pipeline/chord.hpp"
 #include "shade16/pipeline/lamp.hpp"
 
 namespace shade16 {
@@ -59,25 +60,6 @@ SHADE16_INLINE constexpr uint32_t cosine(const Normal14& a, const Normal14& b) {
 SHADE16_INLINE constexpr uint32_t cosine(const Normal30& a, const Normal30& b) {
     const int64_t d = dot(a, b);
     return d <= 0 ? 0 : static_cast<uint32_t>(min<uint64_t>(static_cast<uint64_t>(d) >> 28, UINT32_MAX));
-}
-
-/// u = |R - V|^2 / 2 = 1 - R.V of the mirrored light R = 2(N.L)N - L, in the same units as `chord`. R - V is formed with one bit more
-/// than the 16-bit vectors have; saturated, so that R.V <= 0 gives no highlight.
-SHADE16_INLINE constexpr uint32_t reflected_chord(const Normal14& normal, const Normal14& light, const Normal14& view) {
-    const int32_t cosine = shift_right_round(dot(normal, light), 13);  // Q15
-    const auto squared = [cosine](Unit14 n, Unit14 l, Unit14 v) {
-        const int32_t d = 2 * cosine * n.raw - int32_t{l.raw} * 32768 - int32_t{v.raw} * 32768;  // Q29
-        const uint32_t m = min(magnitude(shift_right_round(d, 14)), uint32_t{65535});
-        return m * m >> 2;
-    };
-    return squared(normal.x, light.x, view.x) + squared(normal.y, light.y, view.y) + squared(normal.z, light.z, view.z);
-}
-SHADE16_INLINE constexpr uint32_t reflected_chord(const Normal30& normal, const Normal30& light, const Normal30& view) {
-    const int32_t cosine = static_cast<int32_t>(shift_right_round(dot(normal, light), 30));
-    const auto difference = [cosine](Q30 n, Q30 l, Q30 v) {
-        return static_cast<int32_t>(shift_right_round(2 * multiply(cosine, n.raw) - ((int64_t{l.raw} + v.raw) * Q30::one), 31));
-    };
-    return chord_of_difference(difference(normal.x, light.x, view.x), difference(normal.y, light.y, view.y), difference(normal.z, light.z, view.z));
 }
 
 SHADE16_INLINE constexpr bool is_zero(const Normal14& v) { return (v.x.raw | v.y.raw | v.z.raw) == 0; }

@@ -96,24 +96,6 @@ constexpr Normal30 direction_in(const LightingFrame& frame, const Mat3& view_to_
     return direction;
 }
 
-/// u from a difference of unit vectors in Q29, each component at most 2.0: the square of one is then at most 2^60, and the sum of
-/// three at most 2^61.
-SHADE16_INLINE constexpr uint32_t chord_of_difference(int32_t x, int32_t y, int32_t z) {
-    const uint64_t squared = static_cast<uint64_t>(multiply(x, x) + multiply(y, y) + multiply(z, z));  // Q58, twice u
-    return static_cast<uint32_t>(min<uint64_t>(squared >> 27, UINT32_MAX));
-}
-
-/// u = |N - H|^2 / 2 = 1 - N.H, from the chord: lengths err only relative to u, and sharp highlights stay exact.
-/// Q29 from 16-bit vectors, Q32 from 32-bit ones, saturated.
-/// Source  R. F. Lyon, Phong Shading Reformulation for Hardware Renderer Simplification, 1993.
-SHADE16_INLINE constexpr uint32_t chord(const Normal14& a, const Normal14& b) {
-    const int32_t x = a.x.raw - b.x.raw, y = a.y.raw - b.y.raw, z = a.z.raw - b.z.raw;
-    return static_cast<uint32_t>(x * x) + static_cast<uint32_t>(y * y) + static_cast<uint32_t>(z * z);
-}
-SHADE16_INLINE constexpr uint32_t chord(const Normal30& a, const Normal30& b) {
-    const auto half = [](Q30 p, Q30 q) { return static_cast<int32_t>((int64_t{p.raw} - q.raw) >> 1); };
-    return chord_of_difference(half(a.x, b.x), half(a.y, b.y), half(a.z, b.z));
-}
 }  // namespace detail
 
 /// The half vector of two unit vectors, formed in 32 bits; zero where they are opposite.

@@ -59,7 +59,11 @@ constexpr bool is_phong(const Material& m) { return m.shading == Shading::phong 
 /// Error   where light, normal and viewer lie in a plane, at most matching_max_error / (Blinn-Phong exponent) of full scale; elsewhere
 ///         Phong's highlights are rounder than Blinn-Phong's, which stretch at grazing light.
 inline constexpr Q16 matching_max_error = Q16::from_raw(67174);  // 1.025; from an exponent of 32 on it is below 0.6
-constexpr Q16 phong_shininess_matching(Q16 blinn_phong) { return Q16::from_raw(clamp<int32_t>(blinn_phong.raw, 4 * int32_t{65536}, 4000 * int32_t{65536} / 4) >> 2); }
-constexpr Q16 blinn_phong_shininess_matching(Q16 phong) { return Q16::from_raw(clamp<int32_t>(phong.raw, int32_t{65536}, 250 * int32_t{65536}) * 4); }
+constexpr Q16 phong_shininess_matching(Q16 blinn_phong) {
+    return Q16::from_raw(clamp<int32_t>(blinn_phong.raw, int32_t{4} * 65536, int32_t{1000} * 65536) >> 2);
+}
+constexpr Q16 blinn_phong_shininess_matching(Q16 phong) {
+    return Q16::from_raw(clamp<int32_t>(phong.raw, int32_t{1} * 65536, int32_t{250} * 65536) * 4);
+}
 
 }  // namespace shade16
