@@ -2,13 +2,16 @@
 # app_for_board.cmake or app_for_host.cmake.
 set(SHADE16_SCENES_DIR ${PROJECT_SOURCE_DIR}/assets/scenes)
 
-# shade16_scene_program(<target> <scene> [<tier>]): without a tier the scene's own.
+# shade16_scene_program(<target> <scene> [<tier> [<format>]]): without a tier and a pixel format the scene's own.
 function(shade16_scene_program target scene)
   shade16_build_scene(${target} ${CMAKE_CURRENT_SOURCE_DIR}/apps/scene.cpp)
   target_compile_definitions(${target} PRIVATE
     SHADE16_SCENE=${scene} SHADE16_SCENE_HEADER="assets/scenes/${scene}.hpp")
   if(ARGC GREATER 2)
     target_compile_definitions(${target} PRIVATE SHADE16_TIER=shade16::${ARGV2})
+  endif()
+  if(ARGC GREATER 3)
+    target_compile_definitions(${target} PRIVATE "SHADE16_FORMAT=shade16::${ARGV3}")
   endif()
 endfunction()
 
@@ -22,6 +25,14 @@ foreach(header IN LISTS scenes)
     foreach(tier IN ITEMS lowp highp)
       shade16_scene_program(scene_${scene}_${tier} ${scene} ${tier})
       set_target_properties(scene_${scene}_${tier} PROPERTIES EXCLUDE_FROM_ALL ON)
+    endforeach()
+    # And on grey and dithering targets, for docs/performance.md.
+    foreach(format IN ITEMS Gray8 Gray4 "Dithered<shade16::Gray4, shade16::bayer4>" "Dithered<shade16::Rgb565, shade16::bayer4>")
+      string(REGEX REPLACE "[<>, :]+" "_" name "${format}")
+      string(REGEX REPLACE "shade16_|bayer|_$" "" name "${name}")
+      string(TOLOWER "${name}" name)
+      shade16_scene_program(scene_${scene}_${name} ${scene} mediump "${format}")
+      set_target_properties(scene_${scene}_${name} PROPERTIES EXCLUDE_FROM_ALL ON)
     endforeach()
   endif()
 endforeach()

@@ -13,6 +13,12 @@ using Tier = SHADE16_TIER;
 #else
 using Tier = baked::Tier;
 #endif
+#ifdef SHADE16_FORMAT
+using Pixel = SHADE16_FORMAT;
+#else
+using Pixel = baked::Pixel;
+#endif
+constexpr Channels channels = channels_of_format<Pixel>;
 
 constexpr bool turns() {
     for (const Spin& spin : baked::spins)
@@ -22,11 +28,12 @@ constexpr bool turns() {
 constexpr uint32_t moments = turns() ? 4 : 1;
 constexpr int32_t width = baked::viewport.width, height = baked::viewport.height;
 
-static Workspace<baked::scene, Tier> workspace;
-static Framebuffer<baked::Pixel, width, height, needs_of(baked::scene).depth> framebuffer;
-static HashSink display;
+using SceneRenderer = Renderer<baked::scene, Tier, VertexStore::keep, needs_of(baked::scene), channels>;
+static Workspace<baked::scene, Tier, VertexStore::keep, usual_slots, channels> workspace;
+static Framebuffer<Pixel, width, height, needs_of(baked::scene).depth> framebuffer;
+static HashSinkOf<Pixel> display;
 
-static void draw(Renderer<baked::scene, Tier>& renderer, const Frame& frame) {
+static void draw(SceneRenderer& renderer, const Frame& frame) {
     frame_begin();
     renderer.begin(frame, baked::viewport);
     renderer.draw(framebuffer.band());
@@ -36,7 +43,7 @@ static void draw(Renderer<baked::scene, Tier>& renderer, const Frame& frame) {
 }
 
 int main() {
-    Renderer<baked::scene, Tier> renderer(workspace);
+    SceneRenderer renderer(workspace);
     Pose poses[baked::scene.objects.count];
     for (uint32_t moment = 0; moment < moments; ++moment) {
         for (uint32_t i = 0; i < baked::scene.objects.count; ++i)

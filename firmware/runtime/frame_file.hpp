@@ -11,11 +11,12 @@ namespace shade16 {
 
 class FrameFile {
 public:
-    template <class Pixel>
-    void add(Area area, const Pixel* pixels, bool last) {
+    template <PixelFormat Format>
+    void add(Area area, const typename Format::Pixel* pixels, bool last) {
         const char* const folder = std::getenv("SHADE16_FRAMES");
         if (folder == nullptr) return;
-        for (int32_t i = 0; i < area.width * area.height; ++i) append(pixels[i]);
+        for (int32_t y = 0; y < area.height; ++y)
+            for (int32_t x = 0; x < area.width; ++x) append<Format>(pixels + y * pixels_a_row<Format>(area.width), x);
         if (!last) return;
         const std::string path = std::string(folder) + "/" + std::to_string(frame_++) + ".ppm";
         const std::string head =
@@ -25,6 +26,15 @@ public:
     }
 
 private:
+    template <PixelFormat Format>
+    void append(const typename Format::Pixel* row, int32_t x) {
+        if constexpr (GrayFormat<Format>) {
+            const uint8_t gray = widened(static_cast<int>(luma_code<Format>(row, x)), (1 << Format::luma_bits) - 1);
+            append(Rgb888::Pixel{gray, gray, gray});
+        } else {
+            append(row[x]);
+        }
+    }
     void append(Rgb888::Pixel p) { rgb_ += {static_cast<char>(p.r), static_cast<char>(p.g), static_cast<char>(p.b)}; }
     /// A 16-bit pixel is shown as RGB565, also where the display wants its bytes swapped.
     void append(uint16_t p) {

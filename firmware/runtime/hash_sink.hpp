@@ -10,14 +10,14 @@
 namespace shade16 {
 
 /// FNV-1a over the pixels' bytes, in the order a display would take them.
-class HashSink {
+template <PixelFormat Format>
+class HashSinkOf {
 public:
-    template <class Pixel>
-    void flush([[maybe_unused]] Area area, const Pixel* pixels, size_t bytes, bool last) {
+    void flush([[maybe_unused]] Area area, const typename Format::Pixel* pixels, size_t bytes, bool last) {
         const auto* byte = reinterpret_cast<const unsigned char*>(pixels);
         for (size_t i = 0; i < bytes; ++i) hash_ = (hash_ ^ byte[i]) * 16777619u;
 #ifdef SHADE16_FRAME_FILES
-        file_.add(area, pixels, last);
+        file_.template add<Format>(area, pixels, last);
 #endif
         if (last) end_frame();
     }
@@ -39,5 +39,6 @@ private:
     FrameFile file_{};
 #endif
 };
+using HashSink = HashSinkOf<Rgb565>;
 
 }  // namespace shade16

@@ -38,6 +38,16 @@ void add_tier(CLI::App& app, std::string& tier, const char* help) {
     add(app, "--tier", "WORD", help, [&](const std::string& word) { tier = tier_of(word); });
 }
 
+template <class Word>
+void add_format(CLI::App& app, Word& format, const char* help) {
+    add(app, "--format", "WORD", help, [&](const std::string& word) { format = format_of(word); });
+}
+
+template <class Word>
+void add_dither(CLI::App& app, Word& dither, const char* help) {
+    add(app, "--dither", "WORD", help, [&](const std::string& word) { dither = dither_of(word); });
+}
+
 void add_shading(CLI::App& app, std::optional<Shading>& shading) {
     add(app, "--shading", "WORD", "flat, gouraud or phong [the material's]",
         [&](const std::string& word) { shading = shading_of(word); });
@@ -62,7 +72,7 @@ void add_look(CLI::App& app, Options& o) {
 
 void add_render(CLI::App& app, RenderOptions& o) {
     add_scene(app, o.model);
-    add(app, "-o,--output", "OUT", ".y4m, .apng, .png or .rgb565 (raw pixels); '-' is Y4M on standard output",
+    add(app, "-o,--output", "OUT", ".y4m, .apng, .png, or raw as .rgb565, .gray8, .gray4, .mono1; '-' is Y4M on standard output",
         [&](const std::string& path) {
             o.kind = kind_of(path);
             o.output = path;
@@ -72,8 +82,8 @@ void add_render(CLI::App& app, RenderOptions& o) {
     add(app, "--fps", "N", "frames a second, noted in Y4M and APNG [30]",
         [&](const std::string& word) { o.fps = whole_number("--fps", word, 1, 1000); });
     add_tier(app, o.tier, "lowp, mediump or highp [mediump]");
-    add(app, "--format", "WORD", "the display's: rgb565, rgb565_swapped or rgb888 [rgb565]",
-        [&](const std::string& word) { o.format = format_of(word); });
+    add_format(app, o.target.format, "the display's: rgb565, rgb565_swapped, rgb888, gray8, gray4 or mono1 [rgb565]");
+    add_dither(app, o.target.dither, "none, 4x4 or 8x8: how colours between the format's codes are shown [none]");
     add(app, "--bands", "ROWS", "draw in bands of so many rows, as with little RAM [all at once]",
         [&](const std::string& word) { o.band_rows = whole_number("--bands", word, 1, 2048); });
     add(app, "--engine", "WORD", "fixed, or reference: double precision without tiers and bands [fixed]",
@@ -91,6 +101,7 @@ void add_render(CLI::App& app, RenderOptions& o) {
 void add_compare(CLI::App& app, CompareOptions& o) {
     add_scene(app, o.model);
     add_tier(app, o.tier, "lowp, mediump or highp [all three]");
+    add_format(app, o.target.format, "what is shown, as of 'shade16 render'; compared before it is dithered [rgb565]");
     add(app, "--frames", "N", "of one turn [8]",
         [&](const std::string& word) { o.frames = whole_number("--frames", word, 1, 100'000); });
     add_look(app, o);
@@ -113,6 +124,7 @@ void add_bake(CLI::App& app, BakeOptions& o) {
 
 void add_info(CLI::App& app, InfoOptions& o) {
     add_scene(app, o.model);
+    add_format(app, o.target.format, "the display's, as of 'shade16 render' [rgb565]");
     add_look(app, o);
     add_json(app, o.json);
 }
@@ -122,6 +134,8 @@ void add_preview(CLI::App& app, PreviewOptions& o) {
     add(app, "--frames", "N", "stop after so many, 90 a turn [until q or Ctrl-C]",
         [&](const std::string& word) { o.frames = whole_number("--frames", word, 1, 100'000); });
     add_tier(app, o.tier, "lowp, mediump or highp [mediump]");
+    add_format(app, o.format, "as a display of that format shows it, as of 'shade16 render' [rgb888; a grey scene's own]");
+    add_dither(app, o.dither, "none, 4x4 or 8x8 [none; a grey scene's own]");
     add_shading(app, o.shading);
     add_crease(app, o.crease);
     add_component(app, o.component);

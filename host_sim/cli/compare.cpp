@@ -21,7 +21,7 @@ Comparison comparison(const AnimatedScene& scene, const CompareOptions& o) {
         progress.begin(i);
         const std::vector<Pose> poses = scene.poses(turn_of(i, o.frames));
         compare_frame<Tier>(result, exact, original, {.camera = nullptr, .lights = nullptr, .poses = poses.data(), .component = o.component},
-                            o.size);
+                            o.size, o.target.format);
     }
     return result;
 }

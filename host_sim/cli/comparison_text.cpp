@@ -12,16 +12,7 @@ namespace shade16::host {
 
 namespace {
 
-constexpr double levels_a_red_code = levels_of_full_scale / 31, levels_a_green_code = levels_of_full_scale / 63;
-
-/// In the channels of 5 bits, whose codes are the widest.
-double stepping_levels(const Comparison& c) {
-    return with_tier(c.tier, []<class Tier>(Tier) {
-        const bool packed = Tier::stepping == Stepping::packed;
-        const auto codes = packed ? packed_stepping_max_error_per_1024_code : exact_stepping_max_error_per_1024_code;
-        return codes / 1024.0 * levels_a_red_code;
-    });
-}
+std::string display_name(const Comparison& c) { return c.format == Rgb565::name ? "RGB565" : c.format; }
 
 std::string row(const Comparison& c, const ErrorFigures& figures, const std::string& promised, const Ink& ink) {
     return fmt::format("    {:<9}{:<21}{:>9.5f} {:>9.5f} {:>8.1f} %    {}\n", c.tier, promised, figures.largest,
@@ -48,7 +39,7 @@ std::string pixels_text(const std::vector<Comparison>& tiers, const Ink& ink) {
     std::string text = "(ii) Pixels before they are rounded to the display's format: (i) and stepping along a row, or light by pixel\n";
     text += heading;
     for (const Comparison& c : tiers)
-        text += row(c, c.pixels, fmt::format("as above + {:.2g}", stepping_levels(c)), ink);
+        text += row(c, c.pixels, fmt::format("as above + {:.2g}", c.stepping_levels), ink);
     for (const Comparison& c : tiers)
         if (c.textured_pixels > 0)
             text += fmt::format("    {:<9}{} of {} textured pixels show the texel beside the exact one\n", c.tier, c.other_texel,
@@ -58,18 +49,26 @@ std::string pixels_text(const std::vector<Comparison>& tiers, const Ink& ink) {
 }
 
 std::string picture_text(const std::vector<Comparison>& tiers) {
-    std::string text = "(iii) The finished RGB565 picture, against an independent one of the unrounded model\n";
+    const Comparison& first = tiers.front();
+    std::string text =
+        fmt::format("(iii) The finished {} picture, against an independent one of the unrounded model\n", display_name(first));
     text += "    tier     promised               largest      mean   covered in only one of both\n";
     for (const Comparison& c : tiers)
         text +=
             fmt::format("    {:<9}{:<21}{:>9.5f} {:>9.5f}   {} of {} pixels\n", c.tier, "nothing", c.picture.largest,
                         c.picture.mean(), c.covered_by_one, c.covered_by_one + c.covered_by_both);
+    if (is_gray(first.format))
+        return text + fmt::format(
+                          "    Most of it is the display's own rounding: one code of {} is {:.1f} levels, so rounding alone\n"
+                          "    takes up to {:.1f}. The largest are beside edges, where the two pictures may show different\n"
+                          "    faces.\n\n",
+                          first.format, first.widest_code_levels, first.widest_code_levels / 2);
     return text +
            fmt::format(
                "    Most of it is the display's own rounding: one code of RGB565 is {:.1f} levels in red and blue\n"
                "    and {:.1f} in green, so rounding alone takes up to {:.1f}. The largest are beside edges, where\n"
                "    the two pictures may show different faces.\n\n",
-               levels_a_red_code, levels_a_green_code, levels_a_red_code / 2);
+               first.widest_code_levels, first.narrowest_code_levels, first.widest_code_levels / 2);
 }
 
 std::string verdict_text(const std::string& verdict, const Ink& ink) {

@@ -53,7 +53,8 @@ std::string memory_text(const Survey& s) {
     text += fmt::format("  Counted on this computer; a 32-bit core needs about {} bytes less.\n",
                         (sizeof(void*) - 4) * s.objects.size());
 
-    text += fmt::format("\nRAM of one band, 16 bits a pixel{}, {}x{} pixels\n",
+    text += fmt::format("\nRAM of one band in {}, {} {} a pixel{}, {}x{} pixels\n", s.format,
+                        s.bits_a_pixel, s.bits_a_pixel == 1 ? "bit" : "bits",
                         s.needs.depth ? " and 16 of depth" : ", no depth", s.viewport.width, s.viewport.height);
     for (const BandMemory& b : s.bands)
         text += fmt::format("  {:<8}{:>8} bytes{}\n", fmt::format("{} {}", b.rows, b.rows == 1 ? "row" : "rows"),
@@ -67,7 +68,7 @@ ExitCode info(const InfoOptions& options) {
     InfoOptions o = options;
     const OpenScene open = open_scene(o);
     const AnimatedScene& scene = *open.scene;
-    const Survey s = survey(scene.scene(), scene.source(), names(scene), o.size);
+    const Survey s = survey(scene.scene(), scene.source(), names(scene), o.size, o.target.format);
     if (o.json) {
         print(info_json(s, scene.warnings()));
         return ExitCode::ok;

@@ -95,6 +95,7 @@ std::string compare_json(const CompareOptions& o, const std::vector<Comparison>&
     json["frames"] = o.frames;
     json["width"] = o.size.width;
     json["height"] = o.size.height;
+    json["format"] = o.target.format;
     json["verdict"] = verdict_of(tiers);
     json["tiers"] = Json::array();
     for (const Comparison& c : tiers) json["tiers"].push_back(comparison(c));
@@ -148,6 +149,7 @@ std::string info_json(const Survey& s, const std::vector<std::string>& warnings)
     json["needs"] = needs(s);
     json["width"] = s.viewport.width;
     json["height"] = s.viewport.height;
+    json["format"] = s.format;
     json["memory"] = memory(s);
     json["warnings"] = warnings;
     return finished(json);

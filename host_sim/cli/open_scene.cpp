@@ -43,7 +43,8 @@ OpenScene open_scene(RenderOptions& o) {
         };
         settle("--size", o.size, output.size);
         settle("--tier", o.tier, output.tier);
-        settle("--format", o.format, output.format);
+        settle("--format", o.target.format, output.target.format);
+        settle("--dither", o.target.dither, output.target.dither);
         settle("--frames", o.frames, output.frames);
         settle("--fps", o.fps, output.fps);
         settle("--bands", o.band_rows, output.band_rows);
@@ -54,17 +55,19 @@ OpenScene open_scene(RenderOptions& o) {
 OpenScene open_scene(CompareOptions& o) {
     const auto file = scene_file(o);
     if (file && !o.given.contains("--size")) o.size = file->output.size;
+    if (file && !o.given.contains("--format")) o.target.format = file->output.target.format;
     return opened(o, file);
 }
 
 OpenScene open_scene(InfoOptions& o) {
     const auto file = scene_file(o);
     if (file && !o.given.contains("--size")) o.size = file->output.size;
+    if (file && !o.given.contains("--format")) o.target.format = file->output.target.format;
     return opened(o, file);
 }
 
 OpenScene open_scene(const PreviewOptions& options, Viewport size) {
-    InfoOptions o{options.model, options.shading, options.crease, size, false, {"--size"}};
+    InfoOptions o{options.model, {}, options.shading, options.crease, size, false, {"--size"}};
     return open_scene(o);
 }
 
@@ -75,7 +78,7 @@ std::string dumped(const OpenScene& scene, const RenderOptions& o) {
     if (o.component != Component::all)
         throw input_error("--dump-scene: a scene file has no component; expected no --component beside it.");
     SceneDescription description = scene.description;
-    description.output = {o.size, o.format, o.tier, o.frames, o.fps, o.band_rows};
+    description.output = {o.size, o.target, o.tier, o.frames, o.fps, o.band_rows};
     return dump_scene(description);
 }
 

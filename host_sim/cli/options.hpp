@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "host_sim/engine/formats.hpp"
 #include "shade16/pipeline/transform.hpp"
 #include "shade16/scene/scene.hpp"
 
@@ -16,7 +17,8 @@ enum class OutputKind { y4m, apng, png, raw };
 struct RenderOptions {
     std::string model{}, output{};
     OutputKind kind = OutputKind::y4m;
-    std::string tier = "mediump", format = "rgb565";
+    std::string tier = "mediump";
+    TargetFormat target{};
     std::optional<Shading> shading{};  // the material's own without it
     std::optional<double> crease{};    // degrees; the model's own normals without it
     Component component = Component::all;
@@ -34,6 +36,7 @@ struct RenderOptions {
 struct CompareOptions {
     std::string model{};
     std::string tier{};  // empty: every one
+    TargetFormat target{};  // compared before it is dithered
     std::optional<Shading> shading{};
     std::optional<double> crease{};
     Component component = Component::all;
@@ -52,6 +55,7 @@ struct BakeOptions {
 struct PreviewOptions {
     std::string model{};
     std::string tier = "mediump";
+    std::optional<std::string> format{}, dither{};  // a grey scene file's own without them, and 24 bits of any other
     std::optional<Shading> shading{};
     std::optional<double> crease{};
     Component component = Component::all;
@@ -60,6 +64,7 @@ struct PreviewOptions {
 
 struct InfoOptions {
     std::string model{};
+    TargetFormat target{};
     std::optional<Shading> shading{};
     std::optional<double> crease{};
     Viewport size{320, 240};

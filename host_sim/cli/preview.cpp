@@ -17,12 +17,19 @@ namespace {
 constexpr int frames_a_turn = 90;
 constexpr std::chrono::milliseconds frame_time{33};
 
+/// A grey scene file is shown as its display would; everything else in full colour, unless somebody asks.
+TargetFormat target_of(const PreviewOptions& o, const TargetFormat& of_file) {
+    const TargetFormat usual = is_gray(of_file.format) ? of_file : TargetFormat{Rgb888::name, dither_names[0]};
+    const std::string format = o.format.value_or(usual.format);
+    return {format, o.dither.value_or(o.format ? dither_names[0] : usual.dither)};
+}
+
 /// What is to be seen, as large as the terminal is now.
 struct Shown {
     Shown(const PreviewOptions& o, Viewport viewport)
         : size(viewport),
           open(open_scene(o, viewport)),
-          turntable(fixed_turntable(*open.scene, viewport, o.tier, Rgb888::name, 0, o.component)) {}
+          turntable(fixed_turntable(*open.scene, viewport, o.tier, target_of(o, open.description.output.target), 0, o.component)) {}
 
     std::string text(int frame) {
         const Image image = turntable->draw(turn_of(frame % frames_a_turn, frames_a_turn));

@@ -1,6 +1,7 @@
 #include "host_sim/cli/render.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "host_sim/cli/console.hpp"
 #include "host_sim/cli/json_text.hpp"
@@ -19,12 +20,28 @@ int frame_count(const RenderOptions& o) {
     return o.kind == OutputKind::y4m || o.kind == OutputKind::apng ? frames_of_a_film : 1;
 }
 
-void refuse_what_does_not_fit(const RenderOptions& o) {
-    if (o.kind == OutputKind::raw && o.format == Rgb888::name)
+/// What a raw file's ending says, against the format.
+void refuse_another_raw_format(const RenderOptions& o) {
+    const std::string ending = std::filesystem::path(o.output).extension().string().substr(1);
+    const auto in_lower_case = [](char a, char b) { return ('A' <= a && a <= 'Z' ? a - 'A' + 'a' : a) == b; };
+    const auto is = [&](std::string_view name) { return std::ranges::equal(ending, name, in_lower_case); };
+    const std::string& format = o.target.format;
+    if (is(Rgb565::name) && format == Rgb888::name)
         throw input_error(
             "{}: .rgb565 holds 16 bits a pixel, but --format rgb888 has 24; expected --format rgb565 or "
             "rgb565_swapped, or an output such as .png.",
             o.output);
+    if (is(format) || (is(Rgb565::name) && format == Rgb565Swapped::name)) return;
+    if (format == Rgb888::name)
+        throw input_error("{}: rgb888 has no raw file; expected --format {}, or an output such as .png.", o.output,
+                          ending);
+    throw input_error("{}: the ending is not that of --format {}; expected .{}.", o.output, format,
+                      is_gray(format) ? format : Rgb565::name);
+}
+
+void refuse_what_does_not_fit(const RenderOptions& o) {
+    with_target(o.target, [](auto) {});  // refuses what can not be dithered
+    if (o.kind == OutputKind::raw) refuse_another_raw_format(o);
     constexpr int max_output_px = 8192;
     if (const int longest = o.scale * std::max(o.size.width, o.size.height); longest > max_output_px)
         throw input_error("--scale {}: makes {} pixels of {}; expected at most {}.", o.scale, longest,
@@ -32,8 +49,8 @@ void refuse_what_does_not_fit(const RenderOptions& o) {
 }
 
 std::unique_ptr<Turntable> turntable_of(const AnimatedScene& scene, const RenderOptions& o) {
-    if (o.engine == Engine::reference) return reference_turntable(scene, o.size, o.format, o.component);
-    return fixed_turntable(scene, o.size, o.tier, o.format, o.band_rows, o.component);
+    if (o.engine == Engine::reference) return reference_turntable(scene, o.size, o.target, o.component);
+    return fixed_turntable(scene, o.size, o.tier, o.target, o.band_rows, o.component);
 }
 
 std::string fit_text(const FitFigures& fit) {
@@ -44,6 +61,13 @@ std::string fit_text(const FitFigures& fit) {
         100 * fit.least_cover, 100 * fit.largest_cover, fit.brightest_code, 100 * fit.saturated_share);
 }
 
+const char* pixel_format_of_ffmpeg(const std::string& format) {
+    return format == Rgb565Swapped::name ? "rgb565be"
+           : format == Gray8::name       ? "gray"
+           : format == Mono1::name       ? "monob"
+                                         : "rgb565le";
+}
+
 std::string result_text(const RenderOptions& o, int frames) {
     std::string text =
         fmt::format("{}: {} of {}x{} pixels", o.output, counted(static_cast<std::size_t>(frames), "frame", "frames"),
@@ -51,9 +75,11 @@ std::string result_text(const RenderOptions& o, int frames) {
     if (o.kind == OutputKind::y4m) text += fmt::format(" at {} frames a second; plays with: mpv {}", o.fps, o.output);
     if (o.kind == OutputKind::apng) text += fmt::format(" at {} frames a second; a web browser plays it", o.fps);
     if (o.kind == OutputKind::png) text += fmt::format(", numbered from -{:04} to -{:04}", 0, frames - 1);
-    if (o.kind == OutputKind::raw)
+    if (o.kind == OutputKind::raw && o.target.format == Gray4::name)
+        text += fmt::format("; two pixels a byte, {} bytes a row", (o.size.width * o.scale + 1) / 2);
+    else if (o.kind == OutputKind::raw)
         text += fmt::format("; shows with: ffplay -f rawvideo -pixel_format {} -video_size {}x{} {}",
-                            o.format == Rgb565Swapped::name ? "rgb565be" : "rgb565le", o.size.width * o.scale,
+                            pixel_format_of_ffmpeg(o.target.format), o.size.width * o.scale,
                             o.size.height * o.scale, o.output);
     return text + "\n";
 }

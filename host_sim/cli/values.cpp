@@ -82,7 +82,12 @@ std::string tier_of(const std::string& word) {
 }
 
 std::string format_of(const std::string& word) {
-    expect_one_of("--format", word, {Rgb565::name, Rgb565Swapped::name, Rgb888::name});
+    expect_one_of("--format", word, format_names);
+    return word;
+}
+
+std::string dither_of(const std::string& word) {
+    expect_one_of("--dither", word, dither_names);
     return word;
 }
 
@@ -91,7 +96,8 @@ OutputKind kind_of(const std::string& path) {
     if (is_standard_output(path) || has_ending(path, ".y4m")) return OutputKind::y4m;
     if (has_ending(path, ".apng")) return OutputKind::apng;
     if (has_ending(path, ".png")) return OutputKind::png;
-    if (has_ending(path, ".rgb565")) return OutputKind::raw;
+    for (const char* ending : {".rgb565", ".gray8", ".gray4", ".mono1"})
+        if (has_ending(path, ending)) return OutputKind::raw;
     open_writer(path, 1, 1, 1, 1);  // knows how to refuse it
     throw std::logic_error("every output that can be opened has a kind");
 }

@@ -20,6 +20,7 @@ double crease_of(const std::string& word);  // degrees
 Engine engine_of(const std::string& word);
 std::string tier_of(const std::string& word);
 std::string format_of(const std::string& word);
+std::string dither_of(const std::string& word);
 
 /// From the ending of the path; `-` is Y4M.
 OutputKind kind_of(const std::string& path);

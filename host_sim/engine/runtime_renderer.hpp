@@ -10,9 +10,11 @@
 namespace shade16::host {
 
 /// Owns the workspace and the shininess tables of one scene. The scene must outlive it and keep its arrays.
-template <PrecisionTier Tier>
+template <PrecisionTier Precision, Channels Colors = Channels::rgb>
 class RuntimeRenderer {
 public:
+    using Tier = TierIn<Precision, Colors>;
+
     explicit RuntimeRenderer(const Scene& scene)
         : objects_(scene.objects.count), lights_(std::max<std::size_t>(scene.objects.count * scene.lights.count, 1)),
           shapes_(lights_.size()), vertices_(detail::vertex_count(scene)), faces_(detail::flat_face_count(scene)), split_(detail::split_light_count(scene)),
@@ -27,15 +29,16 @@ public:
         pipeline_.begin(frame, viewport);
     }
 
-    /// The whole frame, drawn in bands of `band_rows` (0: all at once).
+    /// The whole frame's memory, drawn in bands of `band_rows` (0: all at once).
     template <PixelFormat Format>
     std::vector<typename Format::Pixel> draw(int band_rows = 0) {
         const auto width = static_cast<std::size_t>(viewport_.width), height = static_cast<std::size_t>(viewport_.height);
         const int rows = band_rows > 0 ? std::min(band_rows, viewport_.height) : viewport_.height;
-        std::vector<typename Format::Pixel> pixels(width * height);
+        const auto stride = static_cast<std::size_t>(pixels_a_row<Format>(viewport_.width));
+        std::vector<typename Format::Pixel> pixels(stride * height);
         std::vector<uint16_t> depth(width * static_cast<std::size_t>(rows));
         for (int y = 0; y < viewport_.height; y += rows) {
-            const std::size_t first = static_cast<std::size_t>(y) * width;
+            const std::size_t first = static_cast<std::size_t>(y) * stride;
             pipeline_.draw(Band<Format>{pixels.data() + first, depth.data(), viewport_.width, y, std::min(rows, viewport_.height - y)});
         }
         return pixels;
@@ -61,9 +64,9 @@ private:
     std::vector<LampShape> shapes_;
     std::vector<ScreenVertex<Tier>> vertices_;
     std::vector<FaceColor<Tier>> faces_;
-    std::vector<SplitLight> split_;
+    std::vector<SplitLightOf<Colors>> split_;
     Viewport viewport_{};
-    Pipeline<all_needs, Tier> pipeline_;
+    Pipeline<all_needs, Precision, VertexStore::keep, Colors> pipeline_;
 };
 
 }  // namespace shade16::host

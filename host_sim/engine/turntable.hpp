@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "host_sim/engine/animated_scene.hpp"
+#include "host_sim/engine/formats.hpp"
 #include "host_sim/io/image.hpp"
 
 namespace shade16::host {
@@ -21,11 +22,11 @@ public:
 
 /// The fixed-point engine: the very pixels of the target, in bands of so many rows (0: all at once).
 std::unique_ptr<Turntable> fixed_turntable(const AnimatedScene& scene, Viewport viewport, std::string_view tier,
-                                           std::string_view format, int band_rows,
+                                           const TargetFormat& target, int band_rows,
                                            Component component = Component::all);
 
 /// Double precision on the file's own mesh, rounded once at the end: to 8 bits a channel, and to the format for raw.
-std::unique_ptr<Turntable> reference_turntable(const AnimatedScene& scene, Viewport viewport, std::string_view format,
+std::unique_ptr<Turntable> reference_turntable(const AnimatedScene& scene, Viewport viewport, const TargetFormat& target,
                                                Component component = Component::all);
 
 }  // namespace shade16::host

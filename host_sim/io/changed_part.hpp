@@ -14,7 +14,7 @@ struct ChangedPart {
 
 /// At least one pixel, also when nothing has changed. Without a frame before, everything has.
 inline ChangedPart changed_part(const Image& frame, const Image& before) {
-    if (before.rgb.size() != frame.rgb.size()) return {0, 0, {frame.width, frame.height, frame.rgb, {}}};
+    if (before.rgb.size() != frame.rgb.size()) return {0, 0, {frame.width, frame.height, frame.rgb, {}, 0}};
     const auto at = [&](int x, int y) {
         return 3 * (static_cast<std::ptrdiff_t>(y) * frame.width + static_cast<std::ptrdiff_t>(x));
     };
@@ -27,7 +27,7 @@ inline ChangedPart changed_part(const Image& frame, const Image& before) {
                 top = std::min(top, y), bottom = std::max(bottom, y + 1);
             }
     if (right == 0) left = top = 0, right = bottom = 1;
-    ChangedPart part{left, top, {right - left, bottom - top, {}, {}}};
+    ChangedPart part{left, top, {right - left, bottom - top, {}, {}, 0}};
     for (int y = top; y < bottom; ++y)
         part.pixels.rgb.insert(part.pixels.rgb.end(), frame.rgb.begin() + at(left, y),
                                frame.rgb.begin() + at(right, y));

@@ -22,12 +22,15 @@ public:
 };
 
 /// `.y4m` (also `-`, on standard output), `.apng` (one animated file), `.png` (name-0000.png and so on for several
-/// frames), `.rgb565` (raw).
+/// frames), `.rgb565`, `.gray8`, `.gray4` and `.mono1` (raw).
 std::unique_ptr<FrameWriter> open_writer(const std::string& path, int width, int height, int frame_count, int fps);
 
 std::unique_ptr<FrameWriter> open_y4m_writer(const std::string& path, int width, int height, int fps);
 std::unique_ptr<FrameWriter> open_png_writer(const std::string& path, int width, int height, int frame_count);
 std::unique_ptr<FrameWriter> open_apng_writer(const std::string& path, int width, int height, int frame_count, int fps);
-std::unique_ptr<FrameWriter> open_raw_writer(const std::string& path, int width, int height);
+std::unique_ptr<FrameWriter> open_raw_writer(const std::string& path, int width, int height, int bits);
+
+/// How many bits a pixel a raw file of that ending has; 0: it is none.
+int raw_bits_of(const std::string& ending);
 
 }  // namespace shade16::host

@@ -22,10 +22,36 @@ inline std::vector<uint8_t> magnified(const std::vector<uint8_t>& pixels, int wi
     return result;
 }
 
+/// Pixels of fewer bits than a byte has, the leftmost in the highest bits: a byte each, and back.
+inline std::vector<uint8_t> apart(const std::vector<uint8_t>& bytes, int width, int height, int bits) {
+    const int per_byte = 8 / bits, stride = (width + per_byte - 1) / per_byte;
+    std::vector<uint8_t> pixels;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const uint8_t byte = bytes[static_cast<std::size_t>(y * stride + x / per_byte)];
+            pixels.push_back(static_cast<uint8_t>((byte >> (8 - bits - x % per_byte * bits)) & ((1 << bits) - 1)));
+        }
+    return pixels;
+}
+inline std::vector<uint8_t> together(const std::vector<uint8_t>& pixels, int width, int height, int bits) {
+    const int per_byte = 8 / bits, stride = (width + per_byte - 1) / per_byte;
+    std::vector<uint8_t> bytes(static_cast<std::size_t>(stride) * static_cast<std::size_t>(height));
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            uint8_t& byte = bytes[static_cast<std::size_t>(y * stride + x / per_byte)];
+            byte = static_cast<uint8_t>(byte | pixels[static_cast<std::size_t>(y * width + x)] << (8 - bits - x % per_byte * bits));
+        }
+    return bytes;
+}
+
 inline Image magnified(const Image& image, int times) {
     if (times == 1) return image;
-    return {image.width * times, image.height * times, magnified(image.rgb, image.width, image.height, times),
-            magnified(image.raw, image.width, image.height, times)};
+    const int width = image.width * times, height = image.height * times;
+    const bool is_packed = image.raw_bits != 0 && image.raw_bits < 8;
+    const auto raw = is_packed ? together(magnified(apart(image.raw, image.width, image.height, image.raw_bits), image.width, image.height, times),
+                                          width, height, image.raw_bits)
+                               : magnified(image.raw, image.width, image.height, times);
+    return {width, height, magnified(image.rgb, image.width, image.height, times), raw, image.raw_bits};
 }
 
 }  // namespace shade16::host

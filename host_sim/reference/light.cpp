@@ -88,6 +88,13 @@ glm::dvec3 LightParts::sum() const {
     return color * diffuse + specular;
 }
 
+LightParts in_channels(LightParts parts, Channels channels) {
+    if (channels == Channels::rgb) return parts;
+    for (LightShare& share : parts.shares) share.diffuse = luma(share.diffuse), share.specular = luma(share.specular);
+    parts.base = luma(parts.base), parts.color = luma(parts.color);
+    return parts;
+}
+
 LightParts light_point(const Camera& camera, shade16::View<Light> lights, const Material& material, const Pose& pose, const SurfacePoint& point) {
     LightParts parts;
     parts.color = point.color;

@@ -33,6 +33,9 @@ struct LightParts {
     glm::dvec3 sum() const;
 };
 
+/// The same where the target is grey: light times material and the vertex colour each folded to its luma, in all channels.
+LightParts in_channels(LightParts parts, Channels channels);
+
 /// Everything at one point. Unlit materials have a base only.
 LightParts light_point(const Camera& camera, shade16::View<Light> lights, const Material& material, const Pose& pose, const SurfacePoint& point);
 

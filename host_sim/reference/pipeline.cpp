@@ -9,7 +9,6 @@
 namespace shade16::reference {
 
 namespace {
-glm::dvec3 saturated(const LightParts& parts) { return glm::clamp(parts.sum(), 0.0, 1.0); }
 
 /// A corner in view coordinates, with its colour; with Phong shading in place of it the weights of the face's own corners.
 struct Corner {
@@ -93,7 +92,8 @@ struct MapValues {
     }
 };
 
-LightParts light_phong_surface(const Scene& scene, const Frame& frame, std::size_t o, const FaceCorners& face, const FacePoint& at, const MapValues& maps) {
+LightParts light_phong_surface(const Scene& scene, const Frame& frame, std::size_t o, const FaceCorners& face, const FacePoint& at, const MapValues& maps,
+                               Channels channels) {
     const FrameValues values(scene.values, frame);
     const Object& object = scene.values.objects[static_cast<uint32_t>(o)];
     const Mesh& mesh = scene.meshes[o];
@@ -109,13 +109,13 @@ LightParts light_phong_surface(const Scene& scene, const Frame& frame, std::size
         if (!mesh.normals.empty()) normals[k] = normal_to_world(pose, mesh.normals[face.index[k]]);
         if (!mesh.colors.empty()) point.color += weight * mesh.colors[face.index[k]];
     }
-    point.color *= maps.color;
+    point.color = in_channels(point.color, channels) * in_channels(maps.color, channels);
     point.normal = object.material.normal_path == NormalPath::spherical ? spherical_normal(normals, at) : linear_normal(normals, at.weights);
     if (detail::has_bump(object) && point.normal != glm::dvec3(0)) {
         const Tangents tangents = face_tangents(positions, face.at);
         point.normal = glm::normalize(point.normal + maps.slope.x * tangents.along_s + maps.slope.y * tangents.along_t);
     }
-    return light_point(values.camera, values.lights, values.material(scene.values, o), pose, point);
+    return in_channels(light_point(values.camera, values.lights, values.material(scene.values, o), pose, point), channels);
 }
 
 /// Light of the corners, interpolated in two sums. The one share left stands for all that arrives.
@@ -144,23 +144,24 @@ LightParts interpolated_light(const std::array<LightParts, 3>& corner, const glm
 
 bool is_by_pixel(const Object& object) { return detail::is_phong(object.material) || detail::has_texture(object); }
 
-LightParts light_surface(const Scene& scene, const Frame& frame, std::size_t o, uint32_t f, const FacePoint& at) {
+LightParts light_surface(const Scene& scene, const Frame& frame, std::size_t o, uint32_t f, const FacePoint& at, Channels channels) {
     const Object& object = scene.values.objects[static_cast<uint32_t>(o)];
     const FaceCorners face(scene.meshes[o], f);
     const MapValues maps(object, face, at, FrameValues(scene.values, frame).camera.projection == Projection::perspective);
-    if (detail::is_phong(object.material)) return light_phong_surface(scene, frame, o, face, at, maps);
+    if (detail::is_phong(object.material)) return light_phong_surface(scene, frame, o, face, at, maps, channels);
     std::array<LightParts, 3> corners;
     for (std::size_t k = 0; k < 3; ++k)
-        corners[k] = detail::is_flat(object.material) ? light_face(scene, frame, o, f) : light_vertex(scene, frame, o, face.index[k]);
+        corners[k] = in_channels(detail::is_flat(object.material) ? light_face(scene, frame, o, f) : light_vertex(scene, frame, o, face.index[k]), channels);
     LightParts parts = interpolated_light(corners, at.weights);
-    parts.color = maps.color;
+    parts.color = in_channels(maps.color, channels);
     return parts;
 }
 
-Picture draw(const Scene& scene, const Frame& frame, Viewport viewport) {
+Picture draw(const Scene& scene, const Frame& frame, Viewport viewport, Channels channels) {
+    const auto saturated = [channels](const LightParts& parts) { return glm::clamp(in_channels(parts, channels).sum(), 0.0, 1.0); };
     const FrameValues values(scene.values, frame);
     const View view = reference::make_view(values.camera, viewport);
-    Picture picture(viewport, value(scene.values.background));
+    Picture picture(viewport, in_channels(value(scene.values.background), channels));
     for (std::size_t o = 0; o < scene.meshes.size(); ++o) {
         const Mesh& mesh = scene.meshes[o];
         const Material material = values.material(scene.values, o);
@@ -186,7 +187,7 @@ Picture draw(const Scene& scene, const Frame& frame, Viewport viewport) {
             const Shade shade = [&](const glm::dvec3& weights, const glm::dvec2& pixel) {
                 point.weights = weights;
                 point.weights_in_space = to_weights * ray_through(view, pixel);
-                return saturated(light_surface(scene, frame, o, f, point));
+                return saturated(light_surface(scene, frame, o, f, point, channels));
             };
             draw_triangle(picture, view, triangle, by_pixel ? shade : Shade{});
         }

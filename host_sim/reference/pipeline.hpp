@@ -57,9 +57,9 @@ bool is_by_pixel(const Object& object);
 
 /// The light at a point of a face. With Phong shading its normal is interpolated and renormalised; otherwise the light of its
 /// corners, or of its centre, is interpolated. Textures count.
-LightParts light_surface(const Scene& scene, const Frame& frame, std::size_t object, uint32_t face, const FacePoint& at);
+LightParts light_surface(const Scene& scene, const Frame& frame, std::size_t object, uint32_t face, const FacePoint& at, Channels channels = Channels::rgb);
 
-/// Draws the whole scene.
-Picture draw(const Scene& scene, const Frame& frame, Viewport viewport);
+/// Draws the whole scene; for a grey target its luma, in all three channels.
+Picture draw(const Scene& scene, const Frame& frame, Viewport viewport, Channels channels = Channels::rgb);
 
 }  // namespace shade16::reference

@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include "shade16/num/channels.hpp"
 #include "shade16/scene/scene.hpp"
 
 namespace shade16::reference {
@@ -17,6 +18,12 @@ inline double radians(Angle a) { return std::ldexp(static_cast<double>(a.turns),
 
 inline glm::dvec3 value(Vec3 v) { return {value(v.x), value(v.y), value(v.z)}; }
 inline glm::dvec3 value(Rgb c) { return {value(c.r), value(c.g), value(c.b)}; }
+/// The luma in all three channels. Source: ITU-R BT.601, with the engine's weights of 1/65536.
+inline glm::dvec3 luma(const glm::dvec3& c) {
+    return glm::dvec3((c.r * LumaWeights::red + c.g * LumaWeights::green + c.b * LumaWeights::blue) / 65536);
+}
+inline glm::dvec3 in_channels(const glm::dvec3& c, Channels channels) { return channels == Channels::luma ? luma(c) : c; }
+
 inline glm::dvec3 value(Normal14 n) { return glm::dvec3(n.x.raw, n.y.raw, n.z.raw) / 16384.0; }
 
 /// The rows of the core's matrix are the columns of GLM's transpose.

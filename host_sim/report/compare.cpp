@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 
 #include "host_sim/engine/formats.hpp"
 #include "host_sim/engine/runtime_renderer.hpp"
@@ -17,22 +18,23 @@ double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
 template <class Lit>
 glm::dvec3 color_of(const Lit& lit, int channel_bits) {
-    return glm::dvec3(lit.r, lit.g, lit.b) * std::ldexp(1.0, -channel_bits);
+    if constexpr (requires { lit.luma; }) return glm::dvec3(lit.luma * std::ldexp(1.0, -channel_bits));
+    else return glm::dvec3(lit.r, lit.g, lit.b) * std::ldexp(1.0, -channel_bits);
 }
 
 /// Verdicts on every vertex of one object, or on every face where it is flat.
-template <PrecisionTier Tier>
-std::vector<Verdict> judge_object(RuntimeRenderer<Tier>& renderer, const reference::Scene& scene, const Frame& frame, uint32_t o) {
+template <PrecisionTier Tier, Channels Colors>
+std::vector<Verdict> judge_object(RuntimeRenderer<Tier, Colors>& renderer, const reference::Scene& scene, const Frame& frame, uint32_t o) {
     constexpr int bits = ScreenVertex<Tier>::channel_bits;
     const PromisedLevels promise = promised<Tier>(bits);
     const Object& object = scene.values.objects[o];
     std::vector<Verdict> verdicts;
     if (detail::is_flat(object.material)) {
         for (uint32_t f = 0; f < object.mesh.triangles.count; ++f)
-            verdicts.push_back(judge(color_of(renderer.lit_face(o, f), bits), reference::light_face(scene, frame, o, f), object.material, promise));
+            verdicts.push_back(judge(color_of(renderer.lit_face(o, f), bits), reference::in_channels(reference::light_face(scene, frame, o, f), Colors), object.material, promise));
     } else {
         for (uint32_t v = 0; v < object.mesh.positions.count; ++v)
-            verdicts.push_back(judge(color_of(renderer.lit_vertex(o, v), bits), reference::light_vertex(scene, frame, o, v), object.material, promise));
+            verdicts.push_back(judge(color_of(renderer.lit_vertex(o, v), bits), reference::in_channels(reference::light_vertex(scene, frame, o, v), Colors), object.material, promise));
     }
     return verdicts;
 }
@@ -43,10 +45,20 @@ glm::dvec2 position_px(const ScreenVertex<Tier>& v, Viewport viewport) {
     return {viewport.width / 2.0 + v.x / 16.0, viewport.height / 2.0 + v.y / 16.0};
 }
 
+/// The width of a format's codes, by channel, in levels.
+template <PixelFormat Format>
+glm::dvec3 code_levels() {
+    const auto levels_of = [](int bits) { return levels_of_full_scale / ((1 << bits) - 1); };
+    if constexpr (GrayFormat<Format>) return glm::dvec3(levels_of(Format::luma_bits));
+    else return {levels_of(Format::red_bits), levels_of(Format::green_bits), levels_of(Format::blue_bits)};
+}
+
 /// The bound of stepping along a span, by channel, in levels.
-glm::dvec3 stepping_bound(bool packed) {
+template <PrecisionTier Tier, PixelFormat Format>
+glm::dvec3 stepping_bound() {
+    const bool packed = Tier::stepping == Stepping::packed && PackedFormat<Format>;
     const double codes = (packed ? packed_stepping_max_error_per_1024_code : exact_stepping_max_error_per_1024_code) / 1024.0;
-    return codes * levels_of_full_scale / glm::dvec3(31, 63, 31);
+    return codes * code_levels<Format>();
 }
 
 /// Weights on the screen as weights before projection.
@@ -71,12 +83,12 @@ double texel_error(const Object& object, Viewport viewport) {
 
 /// A pixel with light of its own: right if it is right for some place that is no farther off than coordinates may be.
 void judge_pixel(Comparison& result, const glm::dvec3& shown, const reference::Scene& scene, const Frame& frame, uint32_t o, uint32_t f,
-                 const reference::FacePoint& point, Viewport viewport, const PromisedLevels& promise) {
+                 const reference::FacePoint& point, Viewport viewport, Channels colors, const PromisedLevels& promise) {
     const Object& object = scene.values.objects[o];
     const auto verdict_at = [&](const glm::dvec2& shift) {
         reference::FacePoint shifted = point;
         shifted.texel_shift = shift;
-        return judge(shown, reference::light_surface(scene, frame, o, f, shifted), object.material, promise);
+        return judge(shown, reference::light_surface(scene, frame, o, f, shifted, colors), object.material, promise);
     };
     Verdict best = verdict_at({});
     if (detail::has_texture(object) || detail::has_bump(object)) {
@@ -96,12 +108,12 @@ void judge_pixel(Comparison& result, const glm::dvec3& shown, const reference::S
     result.pixels.add(best.error_levels, best.bound_levels);
 }
 
-template <PrecisionTier Tier>
-void compare_pixels(Comparison& result, RuntimeRenderer<Tier>& renderer, const std::vector<std::vector<Verdict>>& verdicts,
+template <PixelFormat Unrounded, PrecisionTier Tier, Channels Colors>
+void compare_pixels(Comparison& result, RuntimeRenderer<Tier, Colors>& renderer, const std::vector<std::vector<Verdict>>& verdicts,
                     const std::vector<FaceId>& winners, const reference::Scene& scene, const Frame& frame, Viewport viewport) {
-    constexpr bool packed = Tier::stepping == Stepping::packed;
-    const std::vector<UnroundedRgb565::Pixel> pixels = renderer.template draw<UnroundedRgb565>();
-    const glm::dvec3 stepping = stepping_bound(packed);
+    constexpr int channels = Colors == Channels::rgb ? 3 : 1;
+    const std::vector<typename Unrounded::Pixel> pixels = renderer.template draw<Unrounded>();
+    const glm::dvec3 stepping = stepping_bound<Tier, Unrounded>();
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         if (!winners[i].covered) continue;
         const auto [o, f, covered] = winners[i];
@@ -113,7 +125,7 @@ void compare_pixels(Comparison& result, RuntimeRenderer<Tier>& renderer, const s
         bool clipped = false;
         for (std::size_t k = 0; k < 3; ++k) {
             const uint32_t index = k == 0 ? t.a : k == 1 ? t.b : t.c;
-            const ScreenVertex<Tier> v = renderer.lit_vertex(o, index);
+            const auto v = renderer.lit_vertex(o, index);
             clipped = clipped || (v.flags & outside_any);
             corner[k] = position_px(v, viewport);
             verdict[k] = &verdicts[o][flat ? f : index];
@@ -126,26 +138,36 @@ void compare_pixels(Comparison& result, RuntimeRenderer<Tier>& renderer, const s
         const glm::dvec3 w = reference::barycentric(corner, {double(i % width) + 0.5, double(i / width) + 0.5});
         if (reference::is_by_pixel(object)) {  // no stepping of colours: the light itself, at this very point
             const reference::FacePoint point{w, corner, weights_in_space(scene, frame, viewport, o, t, w), {}};
-            judge_pixel(result, value(pixels[i]), scene, frame, o, f, point, viewport, promised<Tier>(ScreenVertex<Tier>::channel_bits));
+            judge_pixel(result, value_of<Unrounded>(pixels[i]), scene, frame, o, f, point, viewport, Colors, promised<Tier>(ScreenVertex<Tier>::channel_bits));
             continue;
         }
         const glm::dvec3 expected = w.x * verdict[0]->reference + w.y * verdict[1]->reference + w.z * verdict[2]->reference;
         const double vertex_bound = std::max({verdict[0]->bound_levels, verdict[1]->bound_levels, verdict[2]->bound_levels});
-        const glm::dvec3 error = levels(value(pixels[i]) - expected), bound = stepping + vertex_bound;
-        for (int c = 0; c < 3; ++c) result.pixels.add(error[c], bound[c]);
+        const glm::dvec3 error = levels(value_of<Unrounded>(pixels[i]) - expected), bound = stepping + vertex_bound;
+        for (int c = 0; c < channels; ++c) result.pixels.add(error[c], bound[c]);
     }
 }
 
+/// What a display shows of a pixel.
+glm::dvec3 shown(uint16_t p) { return glm::dvec3(p >> 11, (p >> 5) & 63, p & 31) / glm::dvec3(31, 63, 31); }
+template <int Bits>
+glm::dvec3 shown_of(const typename UnroundedGray<Bits>::Pixel& p) {
+    return glm::dvec3((p.luma >> 24) / ((1 << Bits) - 1.0));
+}
+
 /// The picture that a display would show, against the independent one.
-template <PrecisionTier Tier>
-void compare_pictures(Comparison& result, RuntimeRenderer<Tier>& renderer, const std::vector<FaceId>& winners, const reference::Picture& picture) {
-    const std::vector<uint16_t> pixels = renderer.template draw<Rgb565>();
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
+template <PixelFormat Unrounded, PrecisionTier Tier, Channels Colors>
+void compare_pictures(Comparison& result, RuntimeRenderer<Tier, Colors>& renderer, const std::vector<FaceId>& winners, const reference::Picture& picture) {
+    constexpr bool is_gray = Colors == Channels::luma;  // whose codes are those of the unrounded pixels
+    const auto pixels = renderer.template draw<std::conditional_t<is_gray, Unrounded, Rgb565>>();
+    for (std::size_t i = 0; i < winners.size(); ++i) {
         if (winners[i].covered != picture.covered[i]) ++result.covered_by_one;
         if (!winners[i].covered || !picture.covered[i]) continue;
         ++result.covered_by_both;
-        const glm::dvec3 shown = glm::dvec3(pixels[i] >> 11, (pixels[i] >> 5) & 63, pixels[i] & 31) / glm::dvec3(31, 63, 31);
-        result.picture.add(largest(levels(shown - picture.color[i])), 0);
+        glm::dvec3 color;
+        if constexpr (is_gray) color = shown_of<Unrounded::luma_bits>(pixels[i]);
+        else color = shown(pixels[i]);
+        result.picture.add(largest(levels(color - picture.color[i])), 0);
     }
 }
 }  // namespace
@@ -157,12 +179,15 @@ void ErrorFigures::add(double error, double bound) {
     if (bound > 0) largest_of_bound = std::max(largest_of_bound, error / bound);
 }
 
-template <PrecisionTier Tier>
-void compare_frame(Comparison& result, const reference::Scene& exact, const reference::Scene& original, const Frame& frame, Viewport viewport) {
+template <PrecisionTier Tier, PixelFormat Unrounded>
+void compare_in(Comparison& result, const reference::Scene& exact, const reference::Scene& original, const Frame& frame, Viewport viewport) {
+    constexpr Channels colors = channels_of_format<Unrounded>;
+    const glm::dvec3 code = code_levels<Unrounded>(), stepping = stepping_bound<Tier, Unrounded>();
+    result.widest_code_levels = largest(code), result.narrowest_code_levels = code.g, result.stepping_levels = largest(stepping);
     result.tier = Tier::name;
     result.promise_to_128 = Tier::promise.to_exponent_128.micro / 1e6;
     result.promise_to_1000 = Tier::promise.to_exponent_1000.micro / 1e6;
-    RuntimeRenderer<Tier> renderer(exact.values);
+    RuntimeRenderer<Tier, colors> renderer(exact.values);
     renderer.begin(frame, viewport);
 
     std::vector<std::vector<Verdict>> verdicts;
@@ -174,12 +199,22 @@ void compare_frame(Comparison& result, const reference::Scene& exact, const refe
         }
     }
     const std::vector<FaceId> winners = winning_faces(exact.values, frame, viewport);
-    compare_pixels(result, renderer, verdicts, winners, exact, frame, viewport);
-    compare_pictures(result, renderer, winners, reference::draw(original, frame, viewport));
+    compare_pixels<Unrounded>(result, renderer, verdicts, winners, exact, frame, viewport);
+    compare_pictures<Unrounded>(result, renderer, winners, reference::draw(original, frame, viewport, colors));
 }
 
-template void compare_frame<lowp>(Comparison&, const reference::Scene&, const reference::Scene&, const Frame&, Viewport);
-template void compare_frame<mediump>(Comparison&, const reference::Scene&, const reference::Scene&, const Frame&, Viewport);
-template void compare_frame<highp>(Comparison&, const reference::Scene&, const reference::Scene&, const Frame&, Viewport);
+template <PrecisionTier Tier>
+void compare_frame(Comparison& result, const reference::Scene& exact, const reference::Scene& original, const Frame& frame, Viewport viewport,
+                   const std::string& format) {
+    result.format = is_gray(format) ? format : Rgb565::name;
+    if (format == Gray8::name) return compare_in<Tier, UnroundedGray<8>>(result, exact, original, frame, viewport);
+    if (format == Gray4::name) return compare_in<Tier, UnroundedGray<4>>(result, exact, original, frame, viewport);
+    if (format == Mono1::name) return compare_in<Tier, UnroundedGray<1>>(result, exact, original, frame, viewport);
+    compare_in<Tier, UnroundedRgb565>(result, exact, original, frame, viewport);
+}
+
+template void compare_frame<lowp>(Comparison&, const reference::Scene&, const reference::Scene&, const Frame&, Viewport, const std::string&);
+template void compare_frame<mediump>(Comparison&, const reference::Scene&, const reference::Scene&, const Frame&, Viewport, const std::string&);
+template void compare_frame<highp>(Comparison&, const reference::Scene&, const reference::Scene&, const Frame&, Viewport, const std::string&);
 
 }  // namespace shade16::host

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "host_sim/reference/pipeline.hpp"
+#include "shade16/target/pixel.hpp"
 #include "shade16/pipeline/workspace.hpp"
 
 namespace shade16::host {
@@ -22,7 +23,9 @@ struct ErrorFigures {
 };
 
 struct Comparison {
-    std::string tier{};
+    std::string tier{}, format{};
+    double stepping_levels = 0;                       // of the widest codes
+    double widest_code_levels = 0, narrowest_code_levels = 0;
     double promise_to_128 = 0, promise_to_1000 = 0;
     ErrorFigures vertices{}, pixels{};
     std::size_t beside_gate = 0;     // vertices where either side of the step at N.L = 0 was accepted
@@ -38,12 +41,14 @@ struct Comparison {
     bool holds() const { return vertices.holds() && pixels.holds() && differs(); }
 };
 
-/// Adds one frame to a comparison. `exact` has the scene's own quantised meshes, `original` the file's.
+/// Adds one frame to a comparison. `exact` has the scene's own quantised meshes, `original` the file's. Of formats with
+/// three channels RGB565 stands for all; a grey one is compared with the reference's luma. Nothing is dithered.
 template <PrecisionTier Tier>
-void compare_frame(Comparison& result, const reference::Scene& exact, const reference::Scene& original, const Frame& frame, Viewport viewport);
+void compare_frame(Comparison& result, const reference::Scene& exact, const reference::Scene& original, const Frame& frame, Viewport viewport,
+                   const std::string& format = Rgb565::name);
 
-extern template void compare_frame<lowp>(Comparison&, const reference::Scene&, const reference::Scene&, const Frame&, Viewport);
-extern template void compare_frame<mediump>(Comparison&, const reference::Scene&, const reference::Scene&, const Frame&, Viewport);
-extern template void compare_frame<highp>(Comparison&, const reference::Scene&, const reference::Scene&, const Frame&, Viewport);
+extern template void compare_frame<lowp>(Comparison&, const reference::Scene&, const reference::Scene&, const Frame&, Viewport, const std::string&);
+extern template void compare_frame<mediump>(Comparison&, const reference::Scene&, const reference::Scene&, const Frame&, Viewport, const std::string&);
+extern template void compare_frame<highp>(Comparison&, const reference::Scene&, const reference::Scene&, const Frame&, Viewport, const std::string&);
 
 }  // namespace shade16::host

@@ -48,24 +48,32 @@ std::size_t shininess_bytes(const Scene& scene) {
 inline constexpr uint32_t usual_replay_slots = 64;
 
 /// A Workspace of this scene, as this computer lays it out: pointers take 4 bytes an object more than on a 32-bit core.
-template <PrecisionTier Tier>
+template <PrecisionTier Precision, Channels Colors = Channels::rgb>
 std::size_t workspace_bytes(const Scene& scene, VertexStore store, uint32_t slots = usual_replay_slots) {
     using detail::at_least_one;
+    using Tier = TierIn<Precision, Colors>;
     const bool keeps = store == VertexStore::keep;
     const std::size_t vertices = keeps ? at_least_one(detail::vertex_count(scene)) : slots;
     const std::size_t faces = keeps ? at_least_one(detail::flat_face_count(scene)) : 1;
     return at_least_one(scene.objects.count) * sizeof(ObjectState<Tier>) +
            at_least_one(scene.objects.count * scene.lights.count) * sizeof(ObjectLight<Tier>) +
            vertices * sizeof(ScreenVertex<Tier>) + faces * sizeof(FaceColor<Tier>) +
-           (keeps ? detail::split_light_count(scene) : 0) * sizeof(SplitLight) +
+           (keeps ? detail::split_light_count(scene) : 0) * sizeof(SplitLightOf<Colors>) +
            (keeps ? 1 : slots) * sizeof(uint32_t) +
            (detail::shapes_lamps(needs_of(scene)) ? scene.objects.count * scene.lights.count * sizeof(LampShape) : 0);
 }
 
-/// One band of 16-bit pixels, with depth where it is needed.
+/// One band, with depth where it is needed.
+template <PixelFormat Format>
 constexpr std::size_t band_bytes(int width, int rows, bool has_depth) {
-    const std::size_t pixel = sizeof(Rgb565::Pixel) + (has_depth ? sizeof(uint16_t) : 0);
-    return static_cast<std::size_t>(width) * static_cast<std::size_t>(rows) * pixel;
+    const std::size_t row = static_cast<std::size_t>(pixels_a_row<Format>(width)) * sizeof(typename Format::Pixel);
+    return (row + (has_depth ? static_cast<std::size_t>(width) * sizeof(uint16_t) : 0)) * static_cast<std::size_t>(rows);
+}
+
+template <PixelFormat Format>
+constexpr int bits_a_pixel() {
+    if constexpr (GrayFormat<Format>) return Format::luma_bits;
+    else return static_cast<int>(8 * sizeof(typename Format::Pixel));
 }
 
 }  // namespace shade16::host

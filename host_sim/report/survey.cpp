@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "host_sim/engine/formats.hpp"
 #include "host_sim/reference/scene.hpp"
 #include "host_sim/reference/transform.hpp"
 #include "host_sim/report/memory.hpp"
@@ -40,15 +41,26 @@ void measure_extents(Survey& s, const Scene& scene) {
         }
 }
 
-template <PrecisionTier Tier>
+template <PrecisionTier Tier, Channels Colors>
 TierMemory tier_memory(const Scene& scene) {
-    return {Tier::name, shininess_bytes<Tier>(scene), workspace_bytes<Tier>(scene, VertexStore::keep),
-            workspace_bytes<Tier>(scene, VertexStore::replay)};
+    return {Tier::name, shininess_bytes<Tier>(scene), workspace_bytes<Tier, Colors>(scene, VertexStore::keep),
+            workspace_bytes<Tier, Colors>(scene, VertexStore::replay)};
+}
+
+template <PixelFormat Format>
+void add_memory(Survey& s, const Scene& scene) {
+    constexpr Channels colors = channels_of_format<Format>;
+    s.tiers = {tier_memory<lowp, colors>(scene), tier_memory<mediump, colors>(scene), tier_memory<highp, colors>(scene)};
+    s.bits_a_pixel = bits_a_pixel<Format>();
+    for (const int rows : {s.viewport.height, 40, 16, 8})
+        if (rows < s.viewport.height || s.bands.empty())
+            s.bands.push_back({rows, band_bytes<Format>(s.viewport.width, rows, s.needs.depth)});
 }
 
 }  // namespace
 
-Survey survey(const Scene& scene, const std::string& source, const std::vector<std::string>& names, Viewport viewport) {
+Survey survey(const Scene& scene, const std::string& source, const std::vector<std::string>& names, Viewport viewport,
+              const std::string& format) {
     Survey s;
     s.source = source;
     add_objects(s, scene, names);
@@ -58,11 +70,9 @@ Survey survey(const Scene& scene, const std::string& source, const std::vector<s
     s.needs = needs_of(scene);
     s.picture_bytes = picture_bytes(scene);
     s.mesh_bytes = mesh_bytes(scene);
-    s.tiers = {tier_memory<lowp>(scene), tier_memory<mediump>(scene), tier_memory<highp>(scene)};
     s.viewport = viewport;
-    for (const int rows : {viewport.height, 40, 16, 8})
-        if (rows == viewport.height || rows < viewport.height)
-            s.bands.push_back({rows, band_bytes(viewport.width, rows, s.needs.depth)});
+    s.format = format;
+    with_format(format, [&]<class Format>(Format) { add_memory<Format>(s, scene); });
     return s;
 }
 

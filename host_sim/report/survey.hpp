@@ -36,10 +36,13 @@ struct Survey {
     std::size_t mesh_bytes = 0;
     std::vector<TierMemory> tiers{};
     Viewport viewport{};
+    std::string format{};
+    int bits_a_pixel = 0;
     std::vector<BandMemory> bands{};  // the whole frame first
 };
 
 /// `names` has one for each object; a missing one becomes "object 3".
-Survey survey(const Scene& scene, const std::string& source, const std::vector<std::string>& names, Viewport viewport);
+Survey survey(const Scene& scene, const std::string& source, const std::vector<std::string>& names, Viewport viewport,
+              const std::string& format = Rgb565::name);
 
 }  // namespace shade16::host

@@ -29,8 +29,13 @@ std::string list(const char* type, const char* name, const std::vector<std::stri
     return text + "};\n";
 }
 
-const char* pixel_name(const std::string& format) {
-    return format == Rgb888::name ? "Rgb888" : format == Rgb565Swapped::name ? "Rgb565Swapped" : "Rgb565";
+std::string pixel_name(const TargetFormat& target) {
+    const std::map<std::string, std::string> names{
+        {Rgb565::name, "Rgb565"}, {Rgb565Swapped::name, "Rgb565Swapped"}, {Rgb888::name, "Rgb888"},
+        {Gray8::name, "Gray8"},   {Gray4::name, "Gray4"},                 {Mono1::name, "Mono1"}};
+    const std::string name = "shade16::" + names.at(target.format);
+    if (target.dither == dither_names[0]) return name;
+    return fmt::format("shade16::Dithered<{}, shade16::{}>", name, target.dither == "4x4" ? "bayer4" : "bayer8");
 }
 
 /// A part of a mesh that is drawn, and whether its objects may rely on its being convex.
@@ -182,9 +187,9 @@ private:
         return fmt::format(
             "\ninline constexpr shade16::Viewport viewport{{{}, {}}};\n"
             "inline constexpr uint32_t frames = {};\n"
-            "using Pixel = shade16::{};\n"
+            "using Pixel = {};\n"
             "using Tier = shade16::{};\n",
-            o.size.width, o.size.height, baked_frames(loaded_), pixel_name(o.format), o.tier);
+            o.size.width, o.size.height, baked_frames(loaded_), pixel_name(o.target), o.tier);
     }
 
     const LoadedScene& loaded_;

@@ -7,15 +7,16 @@
 #include <string>
 #include <vector>
 
+#include "host_sim/engine/formats.hpp"
 #include "host_sim/model/texture_file.hpp"
-#include "shade16/shade16.hpp"
 
 namespace shade16::host {
 
 /// How the scene is drawn, unless the command line says otherwise. `frames` 0: as many as suit the kind of output.
 struct OutputSettings {
     Viewport size{320, 240};
-    std::string format = "rgb565", tier = "mediump";
+    TargetFormat target{};
+    std::string tier = "mediump";
     int frames = 0, fps = 30;
     int band_rows = 0;  // 0: the whole frame at once
 };

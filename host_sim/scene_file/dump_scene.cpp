@@ -48,7 +48,8 @@ private:
 void add_output(Dump& to, const OutputSettings& o) {
     to.table("[output]");
     to.key("size", fmt::format("[{}, {}]", o.size.width, o.size.height));
-    to.word("format", o.format);
+    to.word("format", o.target.format);
+    if (o.target.dither != dither_names[0]) to.word("dither", o.target.dither);
     to.word("tier", o.tier);
     if (o.frames > 0) to.key("frames", std::to_string(o.frames));
     to.key("fps", std::to_string(o.fps));

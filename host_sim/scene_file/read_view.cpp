@@ -19,12 +19,14 @@ void refuse_impossible(const TableReader& table, const Camera& camera) {
 }  // namespace
 
 OutputSettings read_output(const SceneTables& tables, const TomlValue& value) {
-    const TableReader table = tables.reader("the output", value, {"size", "format", "tier", "frames", "fps", "bands"});
-    const std::vector<std::string> formats{Rgb565::name, Rgb565Swapped::name, Rgb888::name};
+    const TableReader table = tables.reader("the output", value, {"size", "format", "dither", "tier", "frames", "fps", "bands"});
     const std::vector<std::string> tiers{lowp::name, mediump::name, highp::name};
     OutputSettings output;
     table.read("size", output.size);
-    if (const auto i = table.word("format", formats)) output.format = formats[*i];
+    if (const auto i = table.word("format", format_names)) output.target.format = format_names[*i];
+    if (const auto i = table.word("dither", dither_names)) output.target.dither = dither_names[*i];
+    if (output.target.format == Rgb888::name && output.target.dither != dither_names[0])
+        throw table.wrong("dither", "is more than rgb888 needs, which shows every level there is; expected \"none\"");
     if (const auto i = table.word("tier", tiers)) output.tier = tiers[*i];
     table.read("frames", output.frames, 1, 100'000);
     table.read("fps", output.fps, 1, 1000);

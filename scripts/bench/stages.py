@@ -31,15 +31,16 @@ _TABLE = {
     "pipeline/edge.hpp": ("setup", {"raster": ("column", "next_row")}),
     "pipeline/depth.hpp": ("setup", {"raster": ("next_row", "at", "nearer")}),
     "pipeline/paint_packed.hpp": ("raster", {"setup": ("PackedPlanes", "skip_rows")}),
-    "pipeline/paint_exact.hpp": ("raster", {"setup": ("ExactPainter::ExactPainter", "skip_rows", "is_steep")}),
+    "pipeline/paint_exact.hpp": ("raster", {"setup": ("ExactPlane::ExactPlane", "ExactPlanes", "planes_of", "ExactPainter::ExactPainter", "skip_rows", "is_steep")}),
     "pipeline/small_edge.hpp": ("setup", {"raster": ("column", "next_row")}),
     "pipeline/small_planes.hpp": ("setup", {}),
+    "pipeline/small_exact.hpp": ("raster", {"setup": ("set",)}),
     "pipeline/small_triangle.hpp": ("raster", {"setup": ("draw_small", "set_corners")}),
     "pipeline/surface.hpp": ("setup", {"raster": ("at", "next_pixel", "move")}),
     "pipeline/paint_phong.hpp": ("raster", {"light": ("PixelLight",), "setup": ("PhongPainter::PhongPainter", "skip_rows")}),
     "pipeline/paint_spherical.hpp": ("raster", {"setup": ("EdgeArc::EdgeArc", "SphericalRows::SphericalRows", "SphericalPainter::SphericalPainter", "skip_rows")}),
     "pipeline/raster.hpp": ("raster", {"setup": ("raster", "draw_triangle", "draw_phong")}),
-    "target/band.hpp": (None, {"clear": ("clear", "fill", "fill_halfwords", "nearest_pixel")}),
+    "target/band.hpp": (None, {"clear": ("clear", "clear_to", "fill", "fill_rows", "fill_halfwords", "fill_bytes", "nearest_pixel")}),
 }
 _DRIVERS = ("firmware/apps/", "tests/")  # the program around the frame
 

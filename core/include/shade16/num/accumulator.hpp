@@ -2,16 +2,25 @@
 // past 255.99 it stays there, so a brighter lamp never turns dark. Saturation to white comes at the very end, once.
 #pragma once
 
-#include "shade16/num/unorm.hpp"
+#include "shade16/num/channels.hpp"
 
 namespace shade16 {
 
-struct Accumulator {
+template <Channels C>
+struct AccumulatorOf {
     static constexpr int fraction_bits = 24;
     static constexpr uint32_t one = uint32_t{1} << fraction_bits;
 
     uint32_t r = 0, g = 0, b = 0;
 };
+template <>
+struct AccumulatorOf<Channels::luma> {
+    static constexpr int fraction_bits = 24;
+    static constexpr uint32_t one = uint32_t{1} << fraction_bits;
+
+    uint32_t luma = 0;
+};
+using Accumulator = AccumulatorOf<Channels::rgb>;
 
 /// sum + term, at most UINT32_MAX.
 SHADE16_INLINE constexpr void accumulate(uint32_t& sum, uint32_t term) {
@@ -27,6 +36,14 @@ SHADE16_INLINE constexpr uint32_t scaled_term(uint32_t product, int shift) {
 
 /// A colour as the accumulator holds it: 65535 becomes exactly 1.0, everything else is within one unit.
 constexpr uint32_t as_accumulator(Unorm16 c) { return (uint32_t{c.raw} << 8) + (c.raw >> 8) + (c.raw >> 15); }
-constexpr Accumulator as_accumulator(Rgb c) { return {as_accumulator(c.r), as_accumulator(c.g), as_accumulator(c.b)}; }
+template <Channels C = Channels::rgb>
+constexpr AccumulatorOf<C> as_accumulator(Rgb c) {
+    if constexpr (C == Channels::rgb) {
+        return {as_accumulator(c.r), as_accumulator(c.g), as_accumulator(c.b)};
+    } else {
+        const uint32_t luma = luma_of(c).luma;
+        return {(luma >> 8) + (luma >> 31)};  // of a grey just as above
+    }
+}
 
 }  // namespace shade16

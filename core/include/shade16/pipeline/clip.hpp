@@ -7,7 +7,7 @@
 
 namespace shade16 {
 
-/// A corner of the polygon that clipping makes.
+/// A corner of the polygon that clipping makes. In a grey pipeline `r` is its luma; Phong shading needs all three anyway.
 template <PrecisionTier Tier>
 struct ClipCorner {
     ClipVertex position;

@@ -72,13 +72,11 @@ SHADE16_INLINE constexpr Normal14 half_of(const Normal14& l, const Normal14& v, 
 SHADE16_INLINE constexpr Normal30 half_of(const Normal30& l, const Normal30& v, int) { return half_vector(l, v); }
 
 /// sum += product * factor * 2^exponent.
-template <bool Wide>
-SHADE16_INLINE constexpr void add_term(Accumulator& sum, const LightProduct& p, uint32_t factor, int exponent) {
+template <bool Wide, Channels C>
+SHADE16_INLINE constexpr void add_term(AccumulatorOf<C>& sum, const LightProductOf<C>& p, uint32_t factor, int exponent) {
     const int shift = 8 - p.exponent - exponent;
     const auto term = [&](uint32_t m) { return scaled_term(Wide ? mulhi(m, factor) : m * factor, shift); };
-    accumulate(sum.r, term(p.r));
-    accumulate(sum.g, term(p.g));
-    accumulate(sum.b, term(p.b));
+    for_each_channel<C>([&](uint32_t& s, uint32_t m) { shade16::accumulate(s, term(m)); }, sum, p);
 }
 
 /// A factor of add_term times an attenuation's mantissa; the exponent goes along apart.
@@ -108,30 +106,34 @@ SHADE16_ONCE constexpr Scaled shape_along(const LampShape& shape, IVec3 v, int c
 }
 constexpr bool fades_lamps(Needs n) { return n.attenuation || shapes_lamps(n); }
 
-SHADE16_INLINE constexpr void modulate(Accumulator& sum, const ColorFactor& c) {
-    sum.r = mulhi(sum.r, c.r), sum.g = mulhi(sum.g, c.g), sum.b = mulhi(sum.b, c.b);
+/// In a grey pipeline a factor is the luma of its colour: the luma of light times material, times that of the vertex and of the texel.
+template <Channels C>
+SHADE16_INLINE constexpr void modulate(AccumulatorOf<C>& sum, const FactorIn<C>& c) {
+    for_each_channel<C>([](uint32_t& s, uint32_t factor) { s = mulhi(s, factor); }, sum, c);
 }
-SHADE16_INLINE constexpr void accumulate(Accumulator& sum, const Accumulator& more) {
-    shade16::accumulate(sum.r, more.r);
-    shade16::accumulate(sum.g, more.g);
-    shade16::accumulate(sum.b, more.b);
+template <Channels C>
+SHADE16_INLINE constexpr void accumulate(AccumulatorOf<C>& sum, const AccumulatorOf<C>& more) {
+    for_each_channel<C>([](uint32_t& s, uint32_t m) { shade16::accumulate(s, m); }, sum, more);
 }
 
 SHADE16_INLINE constexpr ColorFactor product(const ColorFactor& a, const ColorFactor& b) { return {mulhi(a.r, b.r), mulhi(a.g, b.g), mulhi(a.b, b.b)}; }
+SHADE16_INLINE constexpr Luma product(const Luma& a, const Luma& b) { return {mulhi(a.luma, b.luma)}; }
 
 /// Vertex colours and textures are a factor of ambient and diffuse light, but not of specular light.
 constexpr bool has_factors(Needs n) { return n.vertex_colors || n.texture; }
 }  // namespace detail
 
 /// A point's light in two sums, before any factor.
-struct SplitLight {
-    Accumulator body{};   // ambient, emissive and diffuse: what vertex colours and textures multiply
-    Accumulator shine{};  // specular
+template <Channels C>
+struct SplitLightOf {
+    AccumulatorOf<C> body{};   // ambient, emissive and diffuse: what vertex colours and textures multiply
+    AccumulatorOf<C> shine{};  // specular
 };
+using SplitLight = SplitLightOf<Channels::rgb>;
 
 /// Adds the light of every lamp at a point: diffuse to `sum`, specular to `shine`, which may be the same.
 template <Needs N, PrecisionTier Tier>
-SHADE16_INLINE constexpr void add_lights(Accumulator& sum, Accumulator& shine, const ObjectLighting<Tier>& object, View<ObjectLight<Tier>> lights,
+SHADE16_INLINE constexpr void add_lights(AccumulatorOf<channels_of<Tier>>& sum, AccumulatorOf<channels_of<Tier>>& shine, const ObjectLighting<Tier>& object, View<ObjectLight<Tier>> lights,
                                          const Shininess<Tier>* shininess, const SurfacePoint& position, UnitVector<Tier> normal) {
     constexpr bool wide = Arithmetic<Tier>::wide;
     const bool stretched = N.stretch && object.stretch.differs;
@@ -197,9 +199,9 @@ SHADE16_INLINE constexpr void add_lights(Accumulator& sum, Accumulator& shine, c
 ///         normalisation, attenuation a square root and a reciprocal.
 /// Source  Blinn, Models of Light Reflection for Computer Synthesized Pictures, 1977.
 template <Needs N, PrecisionTier Tier>
-SHADE16_INLINE constexpr Accumulator light_point(const ObjectLighting<Tier>& object, View<ObjectLight<Tier>> lights, const Shininess<Tier>* shininess,
-                                                 const SurfacePoint& position, UnitVector<Tier> normal, const ColorFactor* factor) {
-    Accumulator sum = object.base, apart{};
+SHADE16_INLINE constexpr AccumulatorOf<channels_of<Tier>> light_point(const ObjectLighting<Tier>& object, View<ObjectLight<Tier>> lights, const Shininess<Tier>* shininess,
+                                                 const SurfacePoint& position, UnitVector<Tier> normal, const FactorIn<channels_of<Tier>>* factor) {
+    AccumulatorOf<channels_of<Tier>> sum = object.base, apart{};
     add_lights<N>(sum, detail::has_factors(N) ? apart : sum, object, lights, shininess, position, normal);
     if constexpr (detail::has_factors(N)) {
         if (factor != nullptr) detail::modulate(sum, *factor);
@@ -210,9 +212,9 @@ SHADE16_INLINE constexpr Accumulator light_point(const ObjectLighting<Tier>& obj
 
 /// The same light before any factor, for surfaces whose texture comes pixel by pixel.
 template <Needs N, PrecisionTier Tier>
-constexpr SplitLight split_light_point(const ObjectLighting<Tier>& object, View<ObjectLight<Tier>> lights, const Shininess<Tier>* shininess,
-                                       const SurfacePoint& position, UnitVector<Tier> normal, const ColorFactor* factor) {
-    SplitLight light{object.base, {}};
+constexpr SplitLightOf<channels_of<Tier>> split_light_point(const ObjectLighting<Tier>& object, View<ObjectLight<Tier>> lights, const Shininess<Tier>* shininess,
+                                       const SurfacePoint& position, UnitVector<Tier> normal, const FactorIn<channels_of<Tier>>* factor) {
+    SplitLightOf<channels_of<Tier>> light{object.base, {}};
     add_lights<N>(light.body, light.shine, object, lights, shininess, position, normal);
     if constexpr (N.vertex_colors)
         if (factor != nullptr) detail::modulate(light.body, *factor);

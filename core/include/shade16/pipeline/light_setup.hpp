@@ -30,12 +30,22 @@ using UnitVector = typename UnitVectorOf<Tier>::type;
 
 /// Light colour times material colour times intensity: three mantissas and one exponent, m * 2^(exponent - 16) in the
 /// 16-bit tiers and m * 2^(exponent - 32) in highp.
-struct LightProduct {
+template <Channels C>
+struct LightProductOf {
     uint32_t r = 0, g = 0, b = 0;
     int16_t exponent = 0;
 
     constexpr bool is_zero() const { return (r | g | b) == 0; }
 };
+/// In a grey pipeline the luma of that product, as one mantissa.
+template <>
+struct LightProductOf<Channels::luma> {
+    uint32_t luma = 0;
+    int16_t exponent = 0;
+
+    constexpr bool is_zero() const { return luma == 0; }
+};
+using LightProduct = LightProductOf<Channels::rgb>;
 
 template <PrecisionTier Tier>
 struct ObjectLight {
@@ -45,7 +55,7 @@ struct ObjectLight {
     LatticePoint point{};          // of a point light or a spot
     UnitVector<Tier> direction{};  // of a directional one, towards the light
     UnitVector<Tier> half{};       // and, with an infinite viewer, the half vector
-    LightProduct diffuse{}, specular{};
+    LightProductOf<channels_of<Tier>> diffuse{}, specular{};
 };
 
 struct LampShape;
@@ -53,7 +63,7 @@ struct LampShape;
 /// What lights one object for one frame.
 template <PrecisionTier Tier>
 struct ObjectLighting {
-    Accumulator base{};  // ambient, emissive; or the colour of an unlit object
+    AccumulatorOf<channels_of<Tier>> base{};  // ambient, emissive; or the colour of an unlit object
     bool local_viewer = false;
     bool reflects = false;  // by Phong's model
     LatticePoint eye{};
@@ -63,6 +73,19 @@ struct ObjectLighting {
 };
 
 namespace detail {
+/// The luma of the product of two colours: its three products are added up exactly before anything is rounded.
+template <PrecisionTier Tier>
+    requires(channels_of<Tier> == Channels::luma)
+SHADE16_ONCE constexpr LightProductOf<Channels::luma> make_product(Rgb material, Rgb light, Scaled intensity) {
+    const auto product = [](Unorm16 m, Unorm16 l, uint32_t weight) { return multiply(uint32_t{m.raw} * l.raw, weight); };
+    const uint64_t sum = product(material.r, light.r, LumaWeights::red) + product(material.g, light.g, LumaWeights::green) +
+                         product(material.b, light.b, LumaWeights::blue);  // one is 65535^2 * 2^16
+    const uint64_t once = sum * 65537;                                     // and becomes (2^32 - 1)^2, as with two widened colours
+    const Scaled s = Scaled::normalized(once + (once >> 16), -64) * intensity;
+    if (s.is_zero()) return {};
+    return {static_cast<uint32_t>(shift_right_round(uint64_t{s.mantissa}, Arithmetic<Tier>::wide ? 0 : 16)), static_cast<int16_t>(s.exponent)};
+}
+
 /// Products of two 16-bit colours, with one exponent for the brightest channel.
 template <PrecisionTier Tier>
 SHADE16_ONCE constexpr LightProduct make_product(Rgb material, Rgb light, Scaled intensity) {
@@ -82,10 +105,9 @@ SHADE16_ONCE constexpr LightProduct make_product(Rgb material, Rgb light, Scaled
     return {mantissa(p[0]), mantissa(p[1]), mantissa(p[2]), static_cast<int16_t>(exponent)};
 }
 
-constexpr void add_product(Accumulator& sum, const LightProduct& p) {
-    accumulate(sum.r, scaled_term(p.r, 8 - p.exponent));
-    accumulate(sum.g, scaled_term(p.g, 8 - p.exponent));
-    accumulate(sum.b, scaled_term(p.b, 8 - p.exponent));
+template <Channels C>
+constexpr void add_product(AccumulatorOf<C>& sum, const LightProductOf<C>& p) {
+    for_each_channel<C>([&](uint32_t& s, uint32_t m) { accumulate(s, scaled_term(m, 8 - p.exponent)); }, sum, p);
 }
 
 /// A direction of a light's space, of any length, in the frame of lighting.
@@ -122,13 +144,13 @@ constexpr ObjectLighting<Tier> make_object_lighting(const Camera& camera, const 
     ObjectLighting<Tier> o;
     o.stretch = detail::make_stretch(pose.scale);
     if (material.unlit) {
-        o.base = as_accumulator(material.diffuse);
+        o.base = as_accumulator<channels_of<Tier>>(material.diffuse);
         return o;
     }
-    o.base = as_accumulator(material.emissive);
+    o.base = as_accumulator<channels_of<Tier>>(material.emissive);
     for (const Light& light : lights)
         if (light.kind == LightKind::ambient)
-            detail::add_product(o.base, detail::make_product<highp>(material.ambient_color(), light.diffuse, light.intensity));
+            detail::add_product(o.base, detail::make_product<TierIn<highp, channels_of<Tier>>>(material.ambient_color(), light.diffuse, light.intensity));
     o.local_viewer = camera.sees_locally();
     o.reflects = material.reflection == Reflection::phong;
     o.eye = frame.point(as_block(camera.eye));

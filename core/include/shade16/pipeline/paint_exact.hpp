@@ -14,6 +14,7 @@ struct ExactPlane {
     uint32_t value = 0;
     int32_t step_x = 0, step_y = 0;
 
+    constexpr ExactPlane() = default;
     template <PrecisionTier Tier>
     constexpr ExactPlane(const TriangleSetup<Tier>& t, typename ScreenVertex<Tier>::Channel ScreenVertex<Tier>::*channel, int bits,
                          RasterPoint from_corner) {
@@ -35,47 +36,89 @@ struct ExactPlane {
 };
 
 namespace detail {
-/// Q24 codes as a pixel. A format may take the fractions too: that is how the tests look behind the rounding.
-template <PixelFormat Format>
-SHADE16_INLINE constexpr typename Format::Pixel pixel_from_q24(uint32_t r, uint32_t g, uint32_t b) {
-    if constexpr (requires { Format::from_q24(r, g, b); }) return Format::from_q24(r, g, b);
-    else return Format::pack(r >> 24, g >> 24, b >> 24);
+/// A pixel's own light in Q24 codes, saturated.
+template <PixelFormat Format, Channels C>
+SHADE16_INLINE constexpr ByChannel<C, uint32_t> codes_of_light(const AccumulatorOf<C>& sum) {
+    ByChannel<C, uint32_t> q24;
+    const auto every_bits = channel_bits<Format>();
+    for_each_channel<C>([](uint32_t& code, uint32_t c, int bits) { code = min(c, Accumulator::one) * ((uint32_t{1} << bits) - 1) + q24_bias<Format>(); }, q24, sum,
+                        every_bits);
+    return q24;
 }
-/// A pixel's own light, saturated and rounded.
-template <PixelFormat Format>
-SHADE16_INLINE constexpr typename Format::Pixel pixel_of_light(const Accumulator& sum) {
-    const auto code = [](uint32_t c, int bits) { return min(c, Accumulator::one) * ((uint32_t{1} << bits) - 1) + (uint32_t{1} << 23); };
-    return pixel_from_q24<Format>(code(sum.r, Format::red_bits), code(sum.g, Format::green_bits), code(sum.b, Format::blue_bits));
+/// The same as a pixel, where that does not depend on its place.
+template <PixelFormat Format, Channels C>
+SHADE16_INLINE constexpr typename Format::Pixel pixel_of_light(const AccumulatorOf<C>& sum) {
+    typename Format::Pixel pixel;
+    put<Format>(&pixel, codes_of_light<Format>(sum));
+    return pixel;
 }
 }  // namespace detail
+
+/// Every channel of a format over a triangle.
+template <PixelFormat Format>
+struct ExactPlanes {
+    static constexpr Channels channels = channels_of_format<Format>;
+    using Codes = ByChannel<channels, uint32_t>;
+    ByChannel<channels, ExactPlane> plane;
+
+    template <PrecisionTier Tier>
+    constexpr ExactPlanes(const TriangleSetup<Tier>& t, RasterPoint from_corner) : plane(planes_of(t, from_corner)) {
+        constexpr uint32_t to_bias = detail::q24_bias<Format>() - detail::q24_bias<Rgb888>();  // from half a code
+        if constexpr (to_bias != 0) for_each_channel<channels>([](ExactPlane& p) { p.value += to_bias; }, plane);
+    }
+
+    constexpr bool is_steep() const {
+        bool steep = false;
+        for_each_channel<channels>([&](const ExactPlane& p) { steep = steep || p.is_steep(); }, plane);
+        return steep;
+    }
+    constexpr void skip_rows(int32_t rows) {
+        for_each_channel<channels>([&](ExactPlane& p) { p.skip_rows(rows); }, plane);
+    }
+    SHADE16_INLINE constexpr Codes at(int32_t column) const {
+        Codes c;
+        for_each_channel<channels>([&](uint32_t& code, const ExactPlane& p) { code = p.at(column); }, c, plane);
+        return c;
+    }
+    SHADE16_INLINE constexpr void next_pixel(Codes& c) const {
+        for_each_channel<channels>([](uint32_t& code, const ExactPlane& p) { code += static_cast<uint32_t>(p.step_x); }, c, plane);
+    }
+
+private:
+    template <PrecisionTier Tier>
+    static constexpr ByChannel<channels, ExactPlane> planes_of(const TriangleSetup<Tier>& t, RasterPoint from_corner) {
+        using Vertex = ScreenVertex<Tier>;
+        if constexpr (channels == Channels::luma)
+            return {{t, &Vertex::luma, Format::luma_bits, from_corner}};
+        else
+            return {{t, &Vertex::r, Format::red_bits, from_corner}, {t, &Vertex::g, Format::green_bits, from_corner},
+                    {t, &Vertex::b, Format::blue_bits, from_corner}};
+    }
+};
 
 template <PixelFormat Format, bool Depth>
 class ExactPainter {
 public:
     template <PrecisionTier Tier>
-    constexpr ExactPainter(const TriangleSetup<Tier>& t, const DepthPlane& depth, RasterPoint from_corner)
-        : r_(t, &ScreenVertex<Tier>::r, Format::red_bits, from_corner),
-          g_(t, &ScreenVertex<Tier>::g, Format::green_bits, from_corner),
-          b_(t, &ScreenVertex<Tier>::b, Format::blue_bits, from_corner), depth_(depth) {}
+    constexpr ExactPainter(const TriangleSetup<Tier>& t, const DepthPlane& depth, RasterPoint from_corner) : color_(t, from_corner), depth_(depth) {}
 
-    constexpr bool is_steep() const { return r_.is_steep() || g_.is_steep() || b_.is_steep(); }
-    constexpr void skip_rows(int32_t rows) {
-        r_.skip_rows(rows), g_.skip_rows(rows), b_.skip_rows(rows);
-        depth_.skip_rows(rows);
-    }
+    constexpr bool is_steep() const { return color_.is_steep(); }
+    constexpr void skip_rows(int32_t rows) { color_.skip_rows(rows), depth_.skip_rows(rows); }
     SHADE16_INLINE constexpr void next_row() { skip_rows(1); }
-    SHADE16_INLINE constexpr void span(typename Format::Pixel* pixel, uint16_t* stored, int32_t column, int32_t count) const {
-        uint32_t r = r_.at(column), g = g_.at(column), b = b_.at(column), z = depth_.at(column);
+    template <class Pixel>
+    SHADE16_INLINE constexpr void span(Pixel pixel, uint16_t* stored, int32_t column, int32_t count) const {
+        auto c = color_.at(column);
+        uint32_t z = depth_.at(column);
         for (; count > 0; --count, ++pixel) {
-            if (nearer<Depth>(stored, z)) *pixel = detail::pixel_from_q24<Format>(r, g, b);
-            r += static_cast<uint32_t>(r_.step_x), g += static_cast<uint32_t>(g_.step_x), b += static_cast<uint32_t>(b_.step_x);
+            if (nearer<Depth>(stored, z)) detail::put<Format>(pixel, c);
+            color_.next_pixel(c);
             z += static_cast<uint32_t>(depth_.step_x);
             if constexpr (Depth) ++stored;
         }
     }
 
 private:
-    ExactPlane r_, g_, b_;
+    ExactPlanes<Format> color_;
     DepthPlane depth_;
 };
 
@@ -97,10 +140,10 @@ public:
         return {weight(multiply(x, t_.dy2) - multiply(offset_.y, t_.dx2)), weight(multiply(offset_.y, t_.dx1) - multiply(x, t_.dy1))};
     }
     constexpr uint32_t depth(BarycentricWeights w) const { return static_cast<uint32_t>(mixed(&ScreenVertex<Tier>::z, 0, w)) << 16; }
-    template <class T>
+    template <PixelFormat Format, class T>
     constexpr uint32_t code(T ScreenVertex<Tier>::*channel, int bits, BarycentricWeights w) const {
         const uint32_t c = static_cast<uint32_t>(mixed(channel, 24 - ScreenVertex<Tier>::channel_bits, w));
-        return c * ((uint32_t{1} << bits) - 1) + (uint32_t{1} << 23);
+        return c * ((uint32_t{1} << bits) - 1) + detail::q24_bias<Format>();
     }
 
 private:
@@ -125,18 +168,25 @@ public:
 
     constexpr void skip_rows(int32_t rows) { weights_.skip_rows(rows); }
     constexpr void next_row() { skip_rows(1); }
-    constexpr void span(typename Format::Pixel* pixel, uint16_t* stored, int32_t column, int32_t count) const {
+    template <class Pixel>
+    constexpr void span(Pixel pixel, uint16_t* stored, int32_t column, int32_t count) const {
         for (; count > 0; --count, ++column, ++pixel) {
             const BarycentricWeights w = weights_.at(column);
-            if (!Depth || nearer<true>(stored, weights_.depth(w)))
-                *pixel = detail::pixel_from_q24<Format>(weights_.code(&ScreenVertex<Tier>::r, Format::red_bits, w),
-                                                        weights_.code(&ScreenVertex<Tier>::g, Format::green_bits, w),
-                                                        weights_.code(&ScreenVertex<Tier>::b, Format::blue_bits, w));
+            if (!Depth || nearer<true>(stored, weights_.depth(w))) detail::put<Format>(pixel, codes(w));
             if constexpr (Depth) ++stored;
         }
     }
 
 private:
+    constexpr ByChannel<channels_of_format<Format>, uint32_t> codes(BarycentricWeights w) const {
+        using Vertex = ScreenVertex<Tier>;
+        if constexpr (GrayFormat<Format>)
+            return {weights_.template code<Format>(&Vertex::luma, Format::luma_bits, w)};
+        else
+            return {weights_.template code<Format>(&Vertex::r, Format::red_bits, w), weights_.template code<Format>(&Vertex::g, Format::green_bits, w),
+                    weights_.template code<Format>(&Vertex::b, Format::blue_bits, w)};
+    }
+
     SliverWeights<Tier> weights_;
 };
 

@@ -10,7 +10,8 @@ namespace shade16 {
 /// What lights the pixels of one face.
 template <Needs N, PrecisionTier Tier>
 struct PixelLight {
-    using Kind = SurfaceKind<N>;
+    static constexpr Channels channels = channels_of<Tier>;
+    using Kind = SurfaceKind<N, channels>;
 
     const ObjectLighting<Tier>& lighting;
     View<ObjectLight<Tier>> lights;
@@ -23,6 +24,16 @@ struct PixelLight {
     /// Cost    that of a vertex, and a square root; with a relief two.
     template <PixelFormat Format>
     [[gnu::noinline]] constexpr typename Format::Pixel pixel(const SurfaceSample& s) const {
+        return detail::pixel_of_light<Format>(lit(s));
+    }
+    /// The same before it is rounded.
+    template <PixelFormat Format>
+    [[gnu::noinline]] constexpr ByChannel<channels, uint32_t> codes(const SurfaceSample& s) const {
+        return detail::codes_of_light<Format>(lit(s));
+    }
+
+private:
+    SHADE16_INLINE constexpr AccumulatorOf<channels> lit(const SurfaceSample& s) const {
         SurfacePoint point{};
         if constexpr (detail::carries_position(N)) {
             if constexpr (Arithmetic<Tier>::wide) point = {s.position, 8192};
@@ -36,20 +47,21 @@ struct PixelLight {
                 const auto slope = maps.template slope<N>(at);
                 normal = turned<Tier>(normal, tangents, slope.s, slope.t, maps.bump->fraction_bits + 15);
             }
-        ColorFactor factor{};
+        FactorIn<channels> factor{};
         const bool has_factor = set_factor(factor, s, at);
-        return detail::pixel_of_light<Format>(light_point<N>(lighting, lights, shininess, point, normal, has_factor ? &factor : nullptr));
+        return light_point<N>(lighting, lights, shininess, point, normal, has_factor ? &factor : nullptr);
     }
-
-private:
-    SHADE16_INLINE constexpr bool set_factor([[maybe_unused]] ColorFactor& factor, [[maybe_unused]] const SurfaceSample& s,
+    SHADE16_INLINE constexpr bool set_factor([[maybe_unused]] FactorIn<channels>& factor, [[maybe_unused]] const SurfaceSample& s,
                                              [[maybe_unused]] const TextureSample& at) const {
         const bool colored = N.vertex_colors && has_colors, textured = N.texture && maps.texture != nullptr;
         if constexpr (N.vertex_colors)
-            if (colored) factor = Rgb{unorm(s.color.x), unorm(s.color.y), unorm(s.color.z)};
+            if (colored) {
+                if constexpr (channels == Channels::luma) factor.luma = static_cast<uint32_t>(clamp<int32_t>(s.color.x, 0, (int32_t{1} << 29) - 1)) << 3;
+                else factor = Rgb{unorm(s.color.x), unorm(s.color.y), unorm(s.color.z)};
+            }
         if constexpr (N.texture)
             if (textured) {
-                const ColorFactor texel = maps.template color<N>(at);
+                const FactorIn<channels> texel = as_factor<channels>(maps.template color<N>(at));
                 factor = colored ? detail::product(factor, texel) : texel;
             }
         return colored || textured;

@@ -103,13 +103,14 @@ constexpr IVec3 q29_from_q30(const IVec3& n) { return {n.x >> 1, n.y >> 1, n.z >
 template <Needs N, PixelFormat Format, bool Depth, PrecisionTier Tier>
 class SphericalPainter {
 public:
-    constexpr SphericalPainter(const TriangleSetup<Tier>& t, const SurfaceSample (&corner)[3], const SamplePlanes<SurfaceKind<N>>& surface, const DepthPlane& depth,
+    constexpr SphericalPainter(const TriangleSetup<Tier>& t, const SurfaceSample (&corner)[3], const SamplePlanes<SurfaceKind<N, channels_of<Tier>>>& surface, const DepthPlane& depth,
                                const PixelLight<N, Tier>& light)
         : rows_(t, corner), surface_(surface), depth_(depth), light_(light) {}
 
     constexpr void skip_rows(int32_t rows) { rows_.skip_rows(rows), surface_.skip_rows(rows), depth_.skip_rows(rows); }
     constexpr void next_row() { skip_rows(1); }
-    constexpr void span(typename Format::Pixel* pixel, uint16_t* stored, int32_t column, int32_t count) const {
+    template <class Pixel>
+    constexpr void span(Pixel pixel, uint16_t* stored, int32_t column, int32_t count) const {
         const RowNormals normals = rows_.current();
         SurfaceSample s = surface_.at(column);
         uint32_t z = depth_.at(column);
@@ -118,7 +119,7 @@ public:
             const IVec3 next = i % 16 < 2 ? normals.at(rows_.centre(column + i)) : normals.after(normal, before);
             before = normal, normal = next;
             s.normal = detail::q29_from_q30(normal);
-            if (!Depth || nearer<true>(stored, z)) *pixel = light_.template pixel<Format>(s);
+            if (!Depth || nearer<true>(stored, z)) detail::put_lit<Format>(pixel, light_, s);
             surface_.next_pixel(s);
             z += static_cast<uint32_t>(depth_.step_x);
             if constexpr (Depth) ++stored;
@@ -127,7 +128,7 @@ public:
 
 private:
     SphericalRows rows_;
-    SamplePlanes<SurfaceKind<N>> surface_;
+    SamplePlanes<SurfaceKind<N, channels_of<Tier>>> surface_;
     DepthPlane depth_;
     const PixelLight<N, Tier>& light_;
 };
@@ -140,14 +141,15 @@ public:
 
     constexpr void skip_rows(int32_t rows) { rows_.skip_rows(rows), weights_.skip_rows(rows); }
     constexpr void next_row() { skip_rows(1); }
-    constexpr void span(typename Format::Pixel* pixel, uint16_t* stored, int32_t column, int32_t count) const {
+    template <class Pixel>
+    constexpr void span(Pixel pixel, uint16_t* stored, int32_t column, int32_t count) const {
         const RowNormals normals = rows_.current();
         for (; count > 0; --count, ++column, ++pixel) {
             const BarycentricWeights w = weights_.at(column);
             if (!Depth || nearer<true>(stored, weights_.depth(w))) {
-                SurfaceSample s = mix<SurfaceKind<N>>(corner_, w.a(), static_cast<uint32_t>(w.b), static_cast<uint32_t>(w.c), 30);
+                SurfaceSample s = mix<SurfaceKind<N, channels_of<Tier>>>(corner_, w.a(), static_cast<uint32_t>(w.b), static_cast<uint32_t>(w.c), 30);
                 s.normal = detail::q29_from_q30(normals.at(rows_.centre(column)));
-                *pixel = light_.template pixel<Format>(s);
+                detail::put_lit<Format>(pixel, light_, s);
             }
             if constexpr (Depth) ++stored;
         }

@@ -16,12 +16,13 @@ struct PreparedScene {
     const Shininess<Tier>* const* shininess;
 };
 
-template <Needs N, PrecisionTier Tier, VertexStore Store = VertexStore::keep>
+template <Needs N, PrecisionTier Precision, VertexStore Store = VertexStore::keep, Channels Colors = Channels::rgb>
 class Pipeline {
 public:
+    using Tier = TierIn<Precision, Colors>;
     using Vertex = ScreenVertex<Tier>;
 
-    constexpr Pipeline(PreparedScene<Tier> prepared, WorkspaceView<Tier> memory) : prepared_(prepared), work_(memory) {}
+    constexpr Pipeline(PreparedScene<Precision> prepared, WorkspaceView<Tier> memory) : prepared_(prepared), work_(memory) {}
 
     /// Other kernels than the prepared ones, of the caller's memory, one an object: from the next frame on. nullptr: no specular light.
     constexpr void use_shininess(const Shininess<Tier>* const* kernels) { prepared_.shininess = kernels; }
@@ -54,7 +55,9 @@ public:
     /// Draws one band of the frame, background included. Bands may come in any order.
     template <PixelFormat Format>
     constexpr void draw(const Band<Format>& band) {
-        clear(band, nearest_pixel<Format>(prepared_.scene.background));
+        static_assert(channels_of_format<Format> == Colors,
+                      "a grey format is drawn by a pipeline of Channels::luma, and a format of three channels by one of Channels::rgb");
+        clear_to(band, prepared_.scene.background);
         for (uint32_t i = 0; i < prepared_.scene.objects.count; ++i) {
             const Object& object = prepared_.scene.objects[i];
             if constexpr (Store == VertexStore::replay)
@@ -146,18 +149,18 @@ private:
     }
     /// The vertex colour, if there is one.
     struct VertexFactor {
-        ColorFactor factor{};
+        FactorIn<Colors> factor{};
         bool is_given = false;
 
         constexpr VertexFactor(const Mesh& mesh, uint32_t index) {
             if constexpr (N.vertex_colors)
-                if (!mesh.colors.empty()) factor = mesh.colors[index], is_given = true;
+                if (!mesh.colors.empty()) factor = as_factor<Colors>(mesh.colors[index]), is_given = true;
         }
         constexpr VertexFactor(const Mesh& mesh, const Triangle& t) {
             if constexpr (N.vertex_colors)
-                if (!mesh.colors.empty()) factor = mean_color(mesh.colors[t.a], mesh.colors[t.b], mesh.colors[t.c]), is_given = true;
+                if (!mesh.colors.empty()) factor = as_factor<Colors>(mean_color(mesh.colors[t.a], mesh.colors[t.b], mesh.colors[t.c])), is_given = true;
         }
-        constexpr const ColorFactor* get() const { return N.vertex_colors && is_given ? &factor : nullptr; }
+        constexpr const FactorIn<Colors>* get() const { return N.vertex_colors && is_given ? &factor : nullptr; }
     };
 
     [[gnu::noinline]] constexpr void light_vertex(const Object& object, const ObjectState<Tier>& state, uint32_t index, Vertex& v) {
@@ -166,7 +169,7 @@ private:
             if (detail::keeps_split_light(object)) return keep_split_light(object, state, index, v);
         const VertexFactor factor(object.mesh, index);
         if (N.unlit && (!N.lit || object.material.unlit)) {
-            Accumulator sum = state.lighting.base;
+            AccumulatorOf<Colors> sum = state.lighting.base;
             if constexpr (N.vertex_colors)
                 if (factor.get() != nullptr) detail::modulate(sum, *factor.get());
             v.set_color(sum);
@@ -181,15 +184,15 @@ private:
     }
 
     /// A textured vertex's light, of which the texture is a factor later.
-    constexpr SplitLight split_light(const Object& object, const ObjectState<Tier>& state, uint32_t index) {
+    constexpr SplitLightOf<Colors> split_light(const Object& object, const ObjectState<Tier>& state, uint32_t index) {
         const VertexFactor factor(object.mesh, index);
         const View<ObjectLight<Tier>> lights = object.material.unlit ? View<ObjectLight<Tier>>{} : lights_of(state);
         return split_light_point<N>(state.lighting, lights, state.shininess, {raw(object.mesh.positions[index]), 1}, normal_of(object, state, index), factor.get());
     }
     constexpr void keep_split_light(const Object& object, const ObjectState<Tier>& state, uint32_t index, Vertex& v) {
-        const SplitLight light = split_light(object, state, index);
+        const SplitLightOf<Colors> light = split_light(object, state, index);
         if constexpr (Store == VertexStore::keep) work_.split[state.first_split + index] = light;
-        Accumulator sum = light.body;
+        AccumulatorOf<Colors> sum = light.body;
         detail::accumulate(sum, light.shine);
         v.set_color(sum);
         if constexpr (Store == VertexStore::replay) keep_replayed(index, v);
@@ -209,11 +212,13 @@ private:
         Vertex lit;
         lit.set_color(light_point<N>(state.lighting, lights_of(state), state.shininess, face_centre(p[t.a], p[t.b], p[t.c]),
                                      lighting_face_normal<N>(state.lighting, p[t.a], p[t.b], p[t.c]), factor.get()));
-        const FaceColor<Tier> color{lit.r, lit.g, lit.b, 1};
+        FaceColor<Tier> color;
+        for_each_channel<Colors>([](auto& to, auto from) { to = from; }, color, lit);
+        color.is_known = 1;
         if (Store == VertexStore::keep) work_.faces[state.first_face + face] = color;
         return color;
     }
-    constexpr SplitLight split_face_light(const Object& object, const ObjectState<Tier>& state, uint32_t face) {
+    constexpr SplitLightOf<Colors> split_face_light(const Object& object, const ObjectState<Tier>& state, uint32_t face) {
         const Triangle t = object.mesh.triangles[face];
         const auto& p = object.mesh.positions;
         const VertexFactor factor(object.mesh, t);
@@ -233,7 +238,7 @@ private:
             if (!N.gouraud || detail::is_flat(object.material)) {
                 const FaceColor<Tier> color = light_face(object, state, face);
                 flat.v[0] = *v.a, flat.v[1] = *v.b, flat.v[2] = *v.c;
-                for (Vertex& corner : flat.v) corner.r = color.r, corner.g = color.g, corner.b = color.b;
+                for (Vertex& corner : flat.v) for_each_channel<Colors>([](auto& to, auto from) { to = from; }, corner, color);
                 return {&flat.v[0], &flat.v[1], &flat.v[2]};
             }
         if ((v.a->flags & v.b->flags & v.c->flags & is_lit) == 0) light_corners(object, state, object.mesh.triangles[face], v);
@@ -305,14 +310,14 @@ private:
         if constexpr (N.texture) {
             LitSample at[3];
             if (N.flat && detail::is_flat(object.material)) {
-                const SplitLight light = split_face_light(object, state, face);
+                const SplitLightOf<Colors> light = split_face_light(object, state, face);
                 at[0] = lit_sample(light, texture_sample_at(object.mesh, t.a));
                 at[1] = lit_sample(light, texture_sample_at(object.mesh, t.b));
                 at[2] = lit_sample(light, texture_sample_at(object.mesh, t.c));
             } else {
                 at[0] = lit_sample_at(object, state, t.a, *v.a), at[1] = lit_sample_at(object, state, t.b, *v.b), at[2] = lit_sample_at(object, state, t.c, *v.c);
             }
-            use(at, TexturedLight<N>{maps});
+            use(at, TexturedLight<N, Colors>{maps});
         }
     }
 
@@ -377,8 +382,8 @@ private:
         with_samples(object, state, face, v, [&]<class Sample, class Light>(const Sample (&corner)[3], const Light& light) {
             using Kind = typename Light::Kind;
             for_each_of_fan(band, object, state, face, v, true, [&](const FacingTriangle<Tier>& triangle, const ClipPolygon<Tier>& polygon, int i) {
-                const auto at = [&](const Vertex& w) { return mix<Kind>(corner, w.r, w.g, w.b, Vertex::channel_bits); };
-                SampleCorners<typename Kind::Sample> samples{{at(*triangle.a), at(*triangle.b), at(*triangle.c)}};
+                const auto at = [&](const ClipCorner<Tier>& w) { return mix<Kind>(corner, w.r, w.g, w.b, Vertex::channel_bits); };
+                SampleCorners<typename Kind::Sample> samples{{at(polygon.corner[0]), at(polygon.corner[i]), at(polygon.corner[i + 1])}};
                 map_by_depth(samples.corner, light.maps,
                              {polygon.corner[0].position.w, polygon.corner[i].position.w, polygon.corner[i + 1].position.w});
                 paint_samples(triangle, samples.corner, light, object, band);
@@ -394,7 +399,8 @@ private:
         const auto corner = [&](int i) {
             Vertex out;
             project(state.transform, polygon.corner[i].position, out);
-            out.r = polygon.corner[i].r, out.g = polygon.corner[i].g, out.b = polygon.corner[i].b;
+            if constexpr (Colors == Channels::luma) out.luma = polygon.corner[i].r;
+            else out.r = polygon.corner[i].r, out.g = polygon.corner[i].g, out.b = polygon.corner[i].b;
             return out;
         };
         for (int i = 1; i + 1 < polygon.count; ++i) {
@@ -412,13 +418,14 @@ private:
             const auto weight = [&](int of) { return static_cast<typename Vertex::Channel>(number == of ? uint32_t{1} << Vertex::channel_bits : 0); };
             const ClipVertex position = to_clip(state.transform, object.mesh.positions[index]);
             if (by_pixel) polygon.add({position, weight(0), weight(1), weight(2)});
+            else if constexpr (Colors == Channels::luma) polygon.add({position, corner.luma, 0, 0});
             else polygon.add({position, corner.r, corner.g, corner.b});
         };
         add(t.a, *v.a, 0), add(t.b, *v.b, 1), add(t.c, *v.c, 2);
         return polygon;
     }
 
-    PreparedScene<Tier> prepared_;
+    PreparedScene<Precision> prepared_;
     WorkspaceView<Tier> work_;
     Viewport viewport_{};
 };

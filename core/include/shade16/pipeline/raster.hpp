@@ -27,7 +27,11 @@ SHADE16_INLINE constexpr void walk_side(const TriangleSetup<Tier>& t, const Pixe
         for (; row < end_row; ++row) {
             const int32_t left = MiddleIsRight ? whole.column() : half.column(), right = MiddleIsRight ? half.column() : whole.column();
             const int32_t from = max(left, first_column), to = min(right, end_column);
-            if (from < to) painter.span(band.pixels + (origin + from), has_depth ? band.depth + (origin + from) : nullptr, from, to - from);
+            if (from < to) {
+                uint16_t* const depth = has_depth ? band.depth + (origin + from) : nullptr;
+                if constexpr (is_placed<Format>) painter.span(Place<Format>(band.row(row), reference + from, row), depth, from, to - from);
+                else painter.span(band.pixels + (origin + from), depth, from, to - from);
+            }
             whole.next_row();
             half.next_row();
             painter.next_row();
@@ -71,7 +75,7 @@ template <Stepping Step, bool Depth, PixelFormat Format, PrecisionTier Tier>
 /// Draws what shows of a triangle in the band; some of it does.
 template <Stepping Step, bool Depth, PixelFormat Format, PrecisionTier Tier>
 SHADE16_INLINE constexpr void draw_triangle(const FacingTriangle<Tier>& t, const Band<Format>& band) {
-    if constexpr (Step == Stepping::packed && PackedFormat<Format>)
+    if constexpr (Step == Stepping::packed && steps_small<Format>)
         if (is_small(t.whole, band.width) && draw_small<Depth>(t, band)) return;
     raster<Step, Depth>(set_up(t), t.box(band.width), band);
 }
@@ -117,7 +121,7 @@ template <bool Depth, class Light, PixelFormat Format, PrecisionTier Tier>
 template <Needs N, PixelFormat Format, PrecisionTier Tier>
 [[gnu::noinline]] constexpr void draw_spherical(const FacingTriangle<Tier>& triangle, const SurfaceSample (&corner)[3], const PixelLight<N, Tier>& light,
                                                 const Band<Format>& band) {
-    const SampledTriangle<SurfaceKind<N>, Tier> t(triangle, corner, N.depth);
+    const SampledTriangle<SurfaceKind<N, channels_of<Tier>>, Tier> t(triangle, corner, N.depth);
     const PixelBox box = triangle.box(band.width);
     if (t.is_sliver) detail::walk(t.setup, box, band, N.depth, SphericalSliverPainter<N, Format, N.depth, Tier>(t.setup, t.sample, t.from_corner, light));
     else detail::walk(t.setup, box, band, N.depth, SphericalPainter<N, Format, N.depth, Tier>(t.setup, t.sample, t.planes, t.depth, light));

@@ -43,14 +43,15 @@ private:
 }  // namespace detail
 
 /// Draws a constexpr scene. `Have` may ask for more terms than the scene uses, so that several scenes share one pipeline
-/// or a Frame has room to vary; it can not have fewer.
-template <const Scene& scene, PrecisionTier Tier = mediump, VertexStore Store = VertexStore::keep, Needs Have = needs_of(scene)>
+/// or a Frame has room to vary; it can not have fewer. `Colors` is channels_of_format of what it draws to.
+template <const Scene& scene, PrecisionTier Tier = mediump, VertexStore Store = VertexStore::keep, Needs Have = needs_of(scene),
+          Channels Colors = Channels::rgb>
 class Renderer {
     static_assert(covers(Have, needs_of(scene)), "this Renderer was built for fewer terms than the scene uses");
 
 public:
     template <uint32_t Slots>
-    constexpr explicit Renderer(Workspace<scene, Tier, Store, Slots>& memory) : pipeline_({scene, shininess_.table}, memory.view()) {}
+    constexpr explicit Renderer(Workspace<scene, Tier, Store, Slots, Colors>& memory) : pipeline_({scene, shininess_.table}, memory.view()) {}
 
     static constexpr Needs needs = Have;
 
@@ -67,7 +68,7 @@ public:
 
 private:
     static constexpr detail::ShininessOfScene<scene, Tier> shininess_{};
-    Pipeline<Have, Tier, Store> pipeline_;
+    Pipeline<Have, Tier, Store, Colors> pipeline_;
 };
 
 /// Draws a frame band by band, from top to bottom, and hands each to the sink. `buffers` are one or two BandBuffers: with
@@ -83,8 +84,7 @@ constexpr void present(AnyRenderer& renderer, const Frame& frame, Viewport viewp
         if (Count == 1) sink.wait();  // the one buffer is still being sent
         renderer.draw(band);
         if (Count == 2) sink.wait();  // the other one must be gone before this one follows
-        const size_t bytes = static_cast<size_t>(band.width * band.rows) * sizeof(*band.pixels);
-        sink.flush({0, y, band.width, band.rows}, band.pixels, bytes, y + band.rows >= viewport.height);
+        sink.flush({0, y, band.width, band.rows}, band.pixels, band.pixel_bytes(), y + band.rows >= viewport.height);
     }
     sink.wait();
 }

@@ -24,6 +24,19 @@ struct SmallGradient {
     SHADE16_INLINE constexpr int32_t y(int32_t d1, int32_t d2) const { return d1 * dx2 - d2 * dx1; }
 };
 
+/// Depth at the middle pixel and its steps. False where a step is too steep for 32 bits.
+SHADE16_INLINE constexpr bool set_small_depth(const SmallGradient& gradient, int32_t a, int32_t b, int32_t c, RasterPoint p, uint32_t& z, uint32_t& z_x,
+                                              uint32_t& z_y) {
+    const int32_t d1 = b - a, d2 = c - a;
+    const int32_t x = mulhi(gradient.x(d1, d2), gradient.inverse), y = mulhi(gradient.y(d1, d2), gradient.inverse);
+    if (((x ^ x >> 31) | (y ^ y >> 31)) >> 22 != 0) return false;
+    const int32_t step_x = shift_left(x, 8) >> (gradient.right - 2), step_y = shift_left(y, 8) >> (gradient.right - 2);
+    z_x = static_cast<uint32_t>(step_x), z_y = static_cast<uint32_t>(step_y);
+    z = (static_cast<uint32_t>(a) << 16) - static_cast<uint32_t>(step_x >> 4) * static_cast<uint32_t>(p.x) -
+        static_cast<uint32_t>(step_y >> 4) * static_cast<uint32_t>(p.y);
+    return true;
+}
+
 /// One channel in Q16 codes: at the middle pixel, and its slopes a sub-pixel.
 struct SmallChannel {
     int32_t value, x, y;
@@ -54,15 +67,8 @@ struct SmallPlanes {
         const int32_t area = edge2.x * edge1.y - edge1.x * edge2.y;
         if (area < (extent_px + 2) * 16) return false;
         const SmallGradient gradient(edge1, edge2, static_cast<uint32_t>(area));
-        if constexpr (Depth) {
-            const int32_t d1 = int32_t{b.z} - a.z, d2 = int32_t{c.z} - a.z;
-            const int32_t x = mulhi(gradient.x(d1, d2), gradient.inverse), y = mulhi(gradient.y(d1, d2), gradient.inverse);
-            if (((x ^ x >> 31) | (y ^ y >> 31)) >> 22 != 0) return false;
-            const int32_t step_x = shift_left(x, 8) >> (gradient.right - 2), step_y = shift_left(y, 8) >> (gradient.right - 2);
-            z_x = static_cast<uint32_t>(step_x), z_y = static_cast<uint32_t>(step_y);
-            z = (static_cast<uint32_t>(a.z) << 16) - static_cast<uint32_t>(step_x >> 4) * static_cast<uint32_t>(p.x) -
-                static_cast<uint32_t>(step_y >> 4) * static_cast<uint32_t>(p.y);
-        }
+        if constexpr (Depth)
+            if (!set_small_depth(gradient, a.z, b.z, c.z, p, z, z_x, z_y)) return false;
         const int32_t five = gradient.inverse - (gradient.inverse >> 5), six = gradient.inverse - (gradient.inverse >> 6);
         const SmallChannel green(gradient, six, gradient.right + 3, 63, a.g, b.g, c.g, p);
         const SmallChannel red(gradient, five, gradient.right + 4, 31, a.r, b.r, c.r, p);

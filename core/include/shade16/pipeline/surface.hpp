@@ -11,7 +11,7 @@ namespace shade16 {
 struct SurfaceSample {
     IVec3 normal{};    // Q29, of any length up to 1
     IVec3 position{};  // of the lattice, with 13 fraction bits
-    IVec3 color{};     // Q29, of a mesh with vertex colours
+    IVec3 color{};     // Q29, of a mesh with vertex colours; x alone, their luma, in a grey pipeline
     TextureSample at{};
 };
 
@@ -31,7 +31,7 @@ SHADE16_INLINE constexpr void for_each_coordinate(F f, Sample&... s) {
 }
 }  // namespace detail
 
-template <Needs N>
+template <Needs N, Channels C = Channels::rgb>
 struct SurfaceKind {
     using Sample = SurfaceSample;
     static constexpr bool by_depth = detail::looks_up(N) && N.perspective_texture;
@@ -39,7 +39,8 @@ struct SurfaceKind {
     SHADE16_INLINE static constexpr void for_each_number(F f, S&... s) {
         f(s.normal.x...), f(s.normal.y...), f(s.normal.z...);
         if constexpr (detail::carries_position(N)) f(s.position.x...), f(s.position.y...), f(s.position.z...);
-        if constexpr (N.vertex_colors) f(s.color.x...), f(s.color.y...), f(s.color.z...);
+        if constexpr (N.vertex_colors) f(s.color.x...);
+        if constexpr (N.vertex_colors && C == Channels::rgb) f(s.color.y...), f(s.color.z...);
         detail::for_each_coordinate<N>(f, s...);
     }
 };
@@ -51,6 +52,12 @@ constexpr TextureSample texture_sample_at(const Mesh& mesh, uint32_t index) {
     return {int32_t{at.s} * 8192, int32_t{at.t} * 8192, 0};
 }
 
+template <Channels C>
+SHADE16_INLINE constexpr IVec3 color_in_q29(const Rgb& c) {
+    if constexpr (C == Channels::luma) return {static_cast<int32_t>(luma_of(c).luma >> 3), 0, 0};
+    else return {int32_t{c.r.raw} * 8192, int32_t{c.g.raw} * 8192, int32_t{c.b.raw} * 8192};
+}
+
 /// The surface at a vertex.
 template <Needs N, PrecisionTier Tier>
 constexpr SurfaceSample surface_at(const Mesh& mesh, const ObjectLighting<Tier>& lighting, uint32_t index) {
@@ -58,8 +65,7 @@ constexpr SurfaceSample surface_at(const Mesh& mesh, const ObjectLighting<Tier>&
     if (!mesh.normals.empty()) s.normal = detail::as_q29(lighting_normal<N>(lighting, mesh.normals[index]));
     const Position16 p = mesh.positions[index];
     s.position = {int32_t{p.x} * 8192, int32_t{p.y} * 8192, int32_t{p.z} * 8192};
-    const auto in_q29 = [](Unorm16 c) { return int32_t{c.raw} * 8192; };
-    if (!mesh.colors.empty()) s.color = {in_q29(mesh.colors[index].r), in_q29(mesh.colors[index].g), in_q29(mesh.colors[index].b)};
+    if (!mesh.colors.empty()) s.color = color_in_q29<channels_of<Tier>>(mesh.colors[index]);
     if constexpr (detail::looks_up(N)) s.at = texture_sample_at(mesh, index);
     return s;
 }

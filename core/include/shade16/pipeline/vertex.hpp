@@ -50,4 +50,23 @@ private:
     }
 };
 
+/// The same of a grey pipeline: 10 bytes in the 16-bit tiers. It saturates its luma, not the luma of saturated channels.
+template <PrecisionTier Tier>
+    requires(channels_of<Tier> == Channels::luma)
+struct ScreenVertex<Tier> {
+    using Channel = typename ChannelOf<Arithmetic<Tier>::wide>::type;
+    static constexpr int channel_bits = ChannelOf<Arithmetic<Tier>::wide>::bits;
+
+    int16_t x = 0, y = 0;
+    uint16_t z = 0;
+    uint16_t flags = 0;
+    Channel luma = 0;
+
+    constexpr void set_color(const AccumulatorOf<Channels::luma>& sum) {
+        const uint32_t saturated = min(sum.luma, Accumulator::one);
+        luma = static_cast<Channel>(channel_bits == 24 ? saturated : (saturated + 256) >> 9);
+        flags = static_cast<uint16_t>(flags | is_lit);
+    }
+};
+
 }  // namespace shade16

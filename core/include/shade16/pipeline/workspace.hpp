@@ -28,6 +28,13 @@ struct FaceColor {
     uint16_t is_known = 0;
 };
 
+template <PrecisionTier Tier>
+    requires(channels_of<Tier> == Channels::luma)
+struct FaceColor<Tier> {
+    typename ScreenVertex<Tier>::Channel luma = 0;
+    uint16_t is_known = 0;
+};
+
 /// The arrays as the pipeline sees them.
 template <PrecisionTier Tier>
 struct WorkspaceView {
@@ -35,7 +42,7 @@ struct WorkspaceView {
     ObjectLight<Tier>* lights = nullptr;    // objects * lights
     ScreenVertex<Tier>* vertices = nullptr;  // all of them, or `slots`
     FaceColor<Tier>* faces = nullptr;       // one a face of a flat object; with `replay` none
-    SplitLight* split = nullptr;            // one a vertex of an object with textured Gouraud shading; with `replay` none
+    SplitLightOf<channels_of<Tier>>* split = nullptr;            // one a vertex of an object with textured Gouraud shading; with `replay` none
     uint32_t* tags = nullptr;               // with `replay`: which vertex a slot holds, plus one
     uint32_t slots = 0;                     // with `replay`: a power of two
     LampShape* shapes = nullptr;            // objects * lights, where lamps have a range, a falloff or a cone
@@ -76,17 +83,22 @@ struct Storage<T, 0> {
 constexpr uint32_t at_least_one(uint32_t n) { return n == 0 ? 1 : n; }
 }  // namespace detail
 
+/// How many vertices the cache of VertexStore::replay has room for, unless somebody says so.
+inline constexpr uint32_t usual_slots = 64;
+
 /// The memory for a scene that is known to the compiler.
-template <const Scene& scene, PrecisionTier Tier, VertexStore Store = VertexStore::keep, uint32_t Slots = 64>
+template <const Scene& scene, PrecisionTier Precision, VertexStore Store = VertexStore::keep, uint32_t Slots = usual_slots,
+          Channels Colors = Channels::rgb>
 struct Workspace {
     static_assert((Slots & (Slots - 1)) == 0, "the replay cache has a power of two of slots");
+    using Tier = TierIn<Precision, Colors>;
     static constexpr bool keeps = Store == VertexStore::keep;
 
     ObjectState<Tier> objects[detail::at_least_one(scene.objects.count)]{};
     ObjectLight<Tier> lights[detail::at_least_one(scene.objects.count * scene.lights.count)]{};
     ScreenVertex<Tier> vertices[keeps ? detail::at_least_one(detail::vertex_count(scene)) : Slots]{};
     FaceColor<Tier> faces[keeps ? detail::at_least_one(detail::flat_face_count(scene)) : 1]{};
-    [[no_unique_address]] detail::Storage<SplitLight, keeps ? detail::split_light_count(scene) : 0> split{};
+    [[no_unique_address]] detail::Storage<SplitLightOf<Colors>, keeps ? detail::split_light_count(scene) : 0> split{};
     uint32_t tags[keeps ? 1 : Slots]{};
     [[no_unique_address]] detail::Storage<LampShape, detail::shapes_lamps(needs_of(scene)) ? scene.objects.count * scene.lights.count : 0> shapes{};
 

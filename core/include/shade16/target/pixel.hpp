@@ -1,17 +1,40 @@
 // Pixel formats: how a colour lies in memory.
 #pragma once
 
-#include "shade16/num/bits.hpp"
+#include "shade16/num/channels.hpp"
 
 namespace shade16 {
 
-/// What the raster stage asks of a format. Codes are 0 to 2^bits - 1 a channel.
+/// A format of three channels. Codes are 0 to 2^bits - 1 a channel.
 template <class F>
-concept PixelFormat = requires(uint32_t r, uint32_t g, uint32_t b) {
+concept ColorFormat = requires(uint32_t r, uint32_t g, uint32_t b) {
     typename F::Pixel;
     F::red_bits + F::green_bits + F::blue_bits;
     F::pack(r, g, b);
 };
+
+/// A format of one channel, which a pipeline of Channels::luma draws.
+template <class F>
+concept GrayFormat = requires(uint32_t luma) {
+    typename F::Pixel;
+    F::luma_bits;
+    F::pack(luma);
+};
+
+/// What the raster stage asks of a format. `Pixel` is what its memory is made of; a byte of several pixels has
+/// `pixels_a_byte_log2`, and its leftmost pixel in the highest bits.
+template <class F>
+concept PixelFormat = ColorFormat<F> || GrayFormat<F>;
+
+template <PixelFormat F>
+inline constexpr Channels channels_of_format = GrayFormat<F> ? Channels::luma : Channels::rgb;
+
+/// 0 where a `Pixel` is one pixel.
+template <PixelFormat F>
+inline constexpr int pixels_a_byte_log2 = [] {
+    if constexpr (requires { F::pixels_a_byte_log2; }) return F::pixels_a_byte_log2;
+    else return 0;
+}();
 
 /// A format whose three channels step in one 32-bit word, laid out [green 6.5 | red 5.6 | blue 5.5].
 template <class F>
