@@ -64,18 +64,22 @@ struct SmallExactPlanes {
     }
 };
 
-/// `count` pixels from `pixel` on.
+/// `count` pixels from `pixel` on, in both arrays by one index, which counts up to 0.
 template <PixelFormat Format, bool Depth, class Pixel>
 SHADE16_INLINE constexpr void small_exact_span(const SmallExactPlanes<Format, Depth>& planes, Pixel pixel, uint16_t* stored, int32_t count, uint32_t x,
                                                uint32_t y) {
     auto color = planes.at(x, y);
-    uint32_t z = Depth ? planes.z + planes.z_y * y + planes.z_x * x : 0;
+    const uint32_t z_x = Depth ? planes.z_x : 0;
+    uint32_t z = Depth ? planes.z + planes.z_y * y + z_x * x : 0;
+    const Pixel end = opaque(pixel + count);
+    uint16_t* const depth_end = Depth ? opaque(stored + count) : nullptr;
+    int32_t i = -count;
     do {
-        if (nearer<Depth>(stored, z)) put<Format>(pixel, color);
+        if (!Depth || nearer<true>(depth_end + i, z)) put<Format>(end + i, color);
         planes.next_pixel(color);
-        ++pixel;
-        if constexpr (Depth) z += planes.z_x, ++stored;
-    } while (--count != 0);
+        if constexpr (Depth) z += z_x;
+        i = opaque(i) + 1;
+    } while (i != 0);
 }
 
 }  // namespace shade16::detail

@@ -35,6 +35,11 @@ public:
         ++x_;
         return *this;
     }
+    SHADE16_INLINE friend constexpr Place operator+(Place p, int32_t columns) {
+        p.x_ += columns;
+        return p;
+    }
+    SHADE16_INLINE friend constexpr Place opaque(Place p) { return p; }
     constexpr int32_t column() const { return x_; }
     /// Colours in Q24 codes with detail::q24_bias added.
     template <class... Code>
