@@ -18,7 +18,9 @@ public:
     explicit RuntimeRenderer(const Scene& scene)
         : objects_(scene.objects.count), lights_(std::max<std::size_t>(scene.objects.count * scene.lights.count, 1)),
           shapes_(lights_.size()), vertices_(detail::vertex_count(scene)), faces_(detail::flat_face_count(scene)), split_(detail::split_light_count(scene)),
-          pipeline_({scene, make_tables(scene)}, {objects_.data(), lights_.data(), vertices_.data(), faces_.data(), split_.data(), nullptr, 0, shapes_.data()}) {}
+          light_tables_(detail::light_table_count(scene)), table_lights_(detail::table_light_count(scene)),
+          pipeline_({scene, make_tables(scene)}, {objects_.data(), lights_.data(), vertices_.data(), faces_.data(), split_.data(), nullptr, 0,
+                                                  light_tables_.data(), table_lights_.data(), shapes_.data()}) {}
     RuntimeRenderer(const RuntimeRenderer&) = delete;
     RuntimeRenderer& operator=(const RuntimeRenderer&) = delete;
 
@@ -65,6 +67,8 @@ private:
     std::vector<ScreenVertex<Tier>> vertices_;
     std::vector<FaceColor<Tier>> faces_;
     std::vector<SplitLightOf<Colors>> split_;
+    std::vector<LightTableMemory<Tier>> light_tables_;
+    std::vector<ObjectLight<Tier>> table_lights_;
     Viewport viewport_{};
     Pipeline<all_needs, Precision, VertexStore::keep, Colors> pipeline_;
 };

@@ -137,6 +137,8 @@ std::string material_text(const Material& m, const MapNames& maps) {
     if (m.shading == Shading::flat) fields.add("shading", "shade16::Shading::flat");
     if (m.shading == Shading::phong) fields.add("shading", "shade16::Shading::phong");
     if (m.normal_path == NormalPath::spherical) fields.add("normal_path", "shade16::NormalPath::spherical");
+    if (m.light_table == LightTable::nearest) fields.add("light_table", "shade16::LightTable::nearest");
+    if (m.light_table == LightTable::bilinear) fields.add("light_table", "shade16::LightTable::bilinear");
     if (m.texture != nullptr) fields.add("texture", "&" + maps.texture);
     if (m.bump != nullptr) fields.add("bump", "&" + maps.bump);
     if (m.filter == Filter::bilinear) fields.add("filter", "shade16::Filter::bilinear");

@@ -59,6 +59,7 @@ std::size_t workspace_bytes(const Scene& scene, VertexStore store, uint32_t slot
            at_least_one(scene.objects.count * scene.lights.count) * sizeof(ObjectLight<Tier>) +
            vertices * sizeof(ScreenVertex<Tier>) + faces * sizeof(FaceColor<Tier>) +
            (keeps ? detail::split_light_count(scene) : 0) * sizeof(SplitLightOf<Colors>) +
+           detail::light_table_count(scene) * sizeof(LightTableMemory<Tier>) + detail::table_light_count(scene) * sizeof(ObjectLight<Tier>) +
            (keeps ? 1 : slots) * sizeof(uint32_t) +
            (detail::shapes_lamps(needs_of(scene)) ? scene.objects.count * scene.lights.count * sizeof(LampShape) : 0);
 }

@@ -21,6 +21,7 @@ inline constexpr Term terms[] = {
     {"gouraud", &Needs::gouraud, "colours interpolated along rows"},
     {"phong", &Needs::phong, "light a pixel, from interpolated normals"},
     {"spherical", &Needs::spherical, "a sine and a cosine for every 16 pixels of a row"},
+    {"light_table", &Needs::light_table, "8 KB of RAM an object, and an entry looked up a pixel"},
     {"vertex_colors", &Needs::vertex_colors, "a factor a vertex"},
     {"texture", &Needs::texture, "a texel looked up a pixel"},
     {"bilinear", &Needs::bilinear, "four texels and nine products a pixel"},

@@ -106,6 +106,8 @@ void add_material(Dump& to, const MaterialDescription& d) {
     to.word("reflection", m.reflection == Reflection::phong ? "phong" : "blinn_phong");
     to.word("shading", m.shading == Shading::flat ? "flat" : m.shading == Shading::phong ? "phong" : "gouraud");
     to.word("normals", m.normal_path == NormalPath::spherical ? "spherical" : "linear");
+    constexpr const char* tables[] = {"none", "nearest", "bilinear"};
+    to.word("light_table", tables[static_cast<std::size_t>(m.light_table)]);
     const auto picture = [&](const char* key, const std::string& path) {
         to.word(key, std::filesystem::absolute(path).lexically_normal().string());
     };

@@ -20,7 +20,7 @@ public:
         const TableReader table =
             tables_.reader(fmt::format("material '{}'", entry.key), entry.value,
                            {"like", "ambient", "diffuse", "specular", "emissive", "shininess", "reflection", "shading", "normals",
-                            "texture", "bump", "bump_strength", "filter", "mapping", "alpha", "unlit"});
+                            "light_table", "texture", "bump", "bump_strength", "filter", "mapping", "alpha", "unlit"});
         if (entry.key == own_material)
             throw input_error("{}:{}: material '{}' is what a model's own materials are called; expected another name.",
                               tables_.file, entry.line, entry.key);
@@ -43,6 +43,8 @@ public:
             material.shading = static_cast<Shading>(*i);
         if (const auto i = table.word("normals", {"linear", "spherical"}))
             material.normal_path = static_cast<NormalPath>(*i);
+        if (const auto i = table.word("light_table", {"none", "nearest", "bilinear"}))
+            material.light_table = static_cast<LightTable>(*i);
         read_maps(table, description);
         double alpha = material.alpha.raw / 65535.0;
         table.read("alpha", alpha, Range{0, 1});

@@ -70,6 +70,7 @@
 #include "shade16/pipeline/texture_lookup.hpp"
 #include "shade16/pipeline/surface.hpp"
 #include "shade16/pipeline/tangents.hpp"
+#include "shade16/pipeline/light_table.hpp"
 #include "shade16/pipeline/paint_phong.hpp"
 #include "shade16/pipeline/paint_textured.hpp"
 #include "shade16/pipeline/paint_spherical.hpp"

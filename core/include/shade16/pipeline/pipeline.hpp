@@ -37,6 +37,7 @@ public:
         const View<Light> lights(frame.lights != nullptr ? frame.lights : scene.lights.first, scene.lights.count);
         const View3 view = make_view(camera, viewport);
         uint32_t first_vertex = 0, first_face = 0, first_split = 0;
+        [[maybe_unused]] uint32_t tables = 0;
         for (uint32_t i = 0; i < scene.objects.count; ++i) {
             const Object& object = scene.objects[i];
             const Pose& pose = frame.poses != nullptr ? frame.poses[i] : object.pose;
@@ -45,6 +46,7 @@ public:
             begin_object(state, object, pose, view, lights, i);
             const Material& material = frame.materials != nullptr ? frame.materials[i] : object.material;
             light_object(state, frame.component, material, object, pose, camera, view, lights);
+            if constexpr (N.light_table) state.table = prepare_table(state, frame.component, material, object, pose, camera, view, lights, tables);
             first_vertex += object.mesh.positions.count;
             if (detail::is_flat(object.material)) first_face += object.mesh.triangles.count;
             if constexpr (N.texture)
@@ -119,6 +121,16 @@ private:
                         lit.shape = static_cast<uint16_t>(number + 1);
                     }
             }
+    }
+
+    /// The number of the object's light table, if it has one that holds. `tables` counts them.
+    constexpr uint8_t prepare_table(const ObjectState<Tier>& state, Component shown, const Material& material, const Object& object, const Pose& pose,
+                                    const Camera& camera, const View3& view, View<Light> lights, uint32_t& tables) {
+        if (!detail::may_use_light_table(object) || tables == 255) return 0;
+        const uint32_t number = ++tables;
+        ObjectLight<Tier>* const kept = work_.table_lights + number * lights.count;
+        return prepare_light_table<N>(work_.tables[number - 1], kept, work_.table_lights, camera, view.rotation, lights, material, pose, shown, state.shininess)
+                   ? static_cast<uint8_t>(number) : uint8_t{0};
     }
 
     SHADE16_INLINE static constexpr bool transform_vertex(const ViewTransform& t, const Position16& p, Vertex& out) {
@@ -298,6 +310,13 @@ private:
         const Triangle t = object.mesh.triangles[face];
         TextureLookup maps;
         if constexpr (detail::looks_up(N)) maps = TextureLookup(object, state.transform.template is_perspective<N>());
+        if constexpr (N.light_table)
+            if (state.table != 0) {
+                const LightTableMemory<Tier>& table = work_.tables[state.table - 1];
+                const TableSample at[3] = {table_sample(table, normal_of(object, state, t.a)), table_sample(table, normal_of(object, state, t.b)),
+                                           table_sample(table, normal_of(object, state, t.c))};
+                return use(at, TableLight<N, Colors>{table.entry, object.material.light_table == LightTable::bilinear});
+            }
         if constexpr (N.phong)
             if (is_phong(object.material)) {
                 const SurfaceSample at[3] = {surface_at<N>(object.mesh, state.lighting, t.a), surface_at<N>(object.mesh, state.lighting, t.b),
@@ -323,13 +342,11 @@ private:
 
     /// Texture coordinates become linear on the screen; w are the corners' depths.
     template <class Sample>
-    static constexpr void map_by_depth([[maybe_unused]] Sample (&sample)[3], [[maybe_unused]] const TextureLookup& maps, [[maybe_unused]] const int32_t (&w)[3]) {
-        if constexpr (detail::looks_up(N) && N.perspective_texture)
-            if (maps.by_depth) {
-                TextureSample at[3] = {sample[0].at, sample[1].at, sample[2].at};
-                detail::divide_by_depth(at, w);
-                for (int i = 0; i < 3; ++i) sample[i].at = at[i];
-            }
+    static constexpr void map_by_depth(Sample (&sample)[3], const TextureLookup& maps, const int32_t (&w)[3]) {
+        if (!maps.by_depth) return;
+        TextureSample at[3] = {sample[0].at, sample[1].at, sample[2].at};
+        detail::divide_by_depth(at, w);
+        for (int i = 0; i < 3; ++i) sample[i].at = at[i];
     }
 
     template <PixelFormat Format>
@@ -338,7 +355,7 @@ private:
         with_samples(object, state, face, v, [&]<class Sample, class Light>(const Sample (&corner)[3], const Light& light) {
             const Triangle t = object.mesh.triangles[face];
             auto samples = copied(corner);
-            if constexpr (detail::looks_up(N) && N.perspective_texture) {
+            if constexpr (Light::Kind::by_depth) {
                 const auto depth = [&](uint16_t index) { return detail::row_dot(state.transform.row[2], object.mesh.positions[index], state.transform.offset[2]); };
                 map_by_depth(samples.corner, light.maps, {depth(t.a), depth(t.b), depth(t.c)});
             }
@@ -384,8 +401,9 @@ private:
             for_each_of_fan(band, object, state, face, v, true, [&](const FacingTriangle<Tier>& triangle, const ClipPolygon<Tier>& polygon, int i) {
                 const auto at = [&](const ClipCorner<Tier>& w) { return mix<Kind>(corner, w.r, w.g, w.b, Vertex::channel_bits); };
                 SampleCorners<typename Kind::Sample> samples{{at(polygon.corner[0]), at(polygon.corner[i]), at(polygon.corner[i + 1])}};
-                map_by_depth(samples.corner, light.maps,
-                             {polygon.corner[0].position.w, polygon.corner[i].position.w, polygon.corner[i + 1].position.w});
+                if constexpr (Kind::by_depth)
+                    map_by_depth(samples.corner, light.maps,
+                                 {polygon.corner[0].position.w, polygon.corner[i].position.w, polygon.corner[i + 1].position.w});
                 paint_samples(triangle, samples.corner, light, object, band);
             });
         });

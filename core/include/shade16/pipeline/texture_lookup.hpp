@@ -3,7 +3,7 @@
 
 #include "shade16/num/reciprocal.hpp"
 #include "shade16/num/unorm.hpp"
-#include "shade16/scene/scene.hpp"
+#include "shade16/scene/needs.hpp"
 
 namespace shade16 {
 

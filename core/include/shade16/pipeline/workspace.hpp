@@ -1,7 +1,7 @@
 // Workspace: the RAM of a frame. All of it is the caller's, and its size is known at compile time.
 #pragma once
 
-#include "shade16/pipeline/light.hpp"
+#include "shade16/pipeline/light_table.hpp"
 #include "shade16/pipeline/transform.hpp"
 
 namespace shade16 {
@@ -18,6 +18,7 @@ struct ObjectState {
     const Shininess<Tier>* shininess = nullptr;  // nullptr: no specular light
     uint32_t first_vertex = 0, first_face = 0, first_split = 0;
     uint32_t first_light = 0, lights = 0;
+    uint8_t table = 0;       // its light table's number, from 1, where it holds in this frame
     bool is_inside = false;  // every kept vertex is: nothing of the object needs clipping
 };
 
@@ -45,6 +46,8 @@ struct WorkspaceView {
     SplitLightOf<channels_of<Tier>>* split = nullptr;            // one a vertex of an object with textured Gouraud shading; with `replay` none
     uint32_t* tags = nullptr;               // with `replay`: which vertex a slot holds, plus one
     uint32_t slots = 0;                     // with `replay`: a power of two
+    LightTableMemory<Tier>* tables = nullptr;    // one an object with a light table
+    ObjectLight<Tier>* table_lights = nullptr;   // (tables + 1) * lights: what each was made of, and room to compare
     LampShape* shapes = nullptr;            // objects * lights, where lamps have a range, a falloff or a cone
 };
 
@@ -67,6 +70,16 @@ constexpr uint32_t split_light_count(const Scene& scene) {
     for (const Object& object : scene.objects)
         if (keeps_split_light(object)) n += object.mesh.positions.count;
     return n;
+}
+
+constexpr uint32_t light_table_count(const Scene& scene) {
+    uint32_t n = 0;
+    for (const Object& object : scene.objects) n += may_use_light_table(object);
+    return n;
+}
+constexpr uint32_t table_light_count(const Scene& scene) {
+    const uint32_t tables = light_table_count(scene);
+    return tables == 0 ? 0 : (tables + 1) * scene.lights.count;
 }
 
 /// An array that takes no room where it is empty.
@@ -99,10 +112,14 @@ struct Workspace {
     ScreenVertex<Tier> vertices[keeps ? detail::at_least_one(detail::vertex_count(scene)) : Slots]{};
     FaceColor<Tier> faces[keeps ? detail::at_least_one(detail::flat_face_count(scene)) : 1]{};
     [[no_unique_address]] detail::Storage<SplitLightOf<Colors>, keeps ? detail::split_light_count(scene) : 0> split{};
+    [[no_unique_address]] detail::Storage<LightTableMemory<Tier>, detail::light_table_count(scene)> tables{};
+    [[no_unique_address]] detail::Storage<ObjectLight<Tier>, detail::table_light_count(scene)> table_lights{};
     uint32_t tags[keeps ? 1 : Slots]{};
     [[no_unique_address]] detail::Storage<LampShape, detail::shapes_lamps(needs_of(scene)) ? scene.objects.count * scene.lights.count : 0> shapes{};
 
-    constexpr WorkspaceView<Tier> view() { return {objects, lights, vertices, keeps ? faces : nullptr, split.first(), tags, Slots, shapes.first()}; }
+    constexpr WorkspaceView<Tier> view() {
+        return {objects, lights, vertices, keeps ? faces : nullptr, split.first(), tags, Slots, tables.first(), table_lights.first(), shapes.first()};
+    }
 };
 
 }  // namespace shade16

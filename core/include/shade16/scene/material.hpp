@@ -19,6 +19,11 @@ enum class NormalPath : uint8_t { linear, spherical };
 /// vector, u = |N - H|^2 / 2. phong: the mirrored light, u = |R - V|^2 / 2 with R = 2(N.L)N - L; no highlight where R.V <= 0.
 enum class Reflection : uint8_t { blinn_phong, phong };
 
+/// Phong shading by a table over normals in place of light a pixel, 64 x 64 entries an object: for lights at infinity, an infinite
+/// viewer and surfaces without maps and vertex colours; elsewhere it is not used. nearest: one entry. bilinear: four.
+/// Its error is light_table_max_error, far above any tier's promise: it holds neither mediump's nor lowp's.
+enum class LightTable : uint8_t { none, nearest, bilinear };
+
 /// The ambient colour; the diffuse one unless it is given.
 struct AmbientColor {
     Rgb color{};
@@ -37,6 +42,7 @@ struct Material {
     Reflection reflection = Reflection::blinn_phong;
     Shading shading = Shading::gouraud;
     NormalPath normal_path = NormalPath::linear;  // with Shading::phong
+    LightTable light_table = LightTable::none;    // with Shading::phong
     const Texture* texture = nullptr;  // a factor of ambient and diffuse light
     const SlopeMap* bump = nullptr;    // turns the normals of Shading::phong
     Filter filter = Filter::nearest;   // of both

@@ -16,6 +16,7 @@ struct Needs {
     bool gouraud = false;        // interpolated colours
     bool phong = false;          // light a pixel
     bool spherical = false;      // normals along great circles
+    bool light_table = false;    // light by normal, looked up a pixel
     bool vertex_colors = false;  // a factor a vertex
     bool texture = false;        // a look-up a pixel
     bool bilinear = false;       // four look-ups and three mixtures
@@ -97,7 +98,8 @@ constexpr Needs needs_of(const Object& object, View<Light> lights) {
     n.stretch = object.pose.scale.x != object.pose.scale.y || object.pose.scale.y != object.pose.scale.z;
     n.texture = has_texture(object);
     n.bump = has_bump(object);
-    n.bilinear = (n.texture || n.bump) && m.filter == Filter::bilinear;
+    n.light_table = n.phong && m.light_table != LightTable::none;
+    n.bilinear = ((n.texture || n.bump) && m.filter == Filter::bilinear) || (n.light_table && m.light_table == LightTable::bilinear);
     n.perspective_texture = (n.texture || n.bump) && m.mapping == Mapping::perspective;
     if (m.unlit) return n;
 
