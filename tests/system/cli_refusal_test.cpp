@@ -146,7 +146,7 @@ TEST(CliRefusal, numbers_out_of_range) {
 
 TEST(CliRefusal, words_nobody_knows) {
     expect_usage_refused("--tier half", "--tier half: expected lowp, mediump or highp.");
-    expect_usage_refused("--format rgb555", "--format rgb555: expected rgb565, rgb565_swapped or rgb888; did you mean rgb565?");
+    expect_usage_refused("--format rgb555", "--format rgb555: expected rgb565, rgb565_swapped, rgb888, gray8, gray4 or mono1; did you mean rgb565?");
     expect_usage_refused("--tier midiump", "--tier midiump: expected lowp, mediump or highp; did you mean mediump?");
     expect_usage_refused("--shading gourad", "--shading gourad: expected flat, gouraud or phong; did you mean gouraud?");
     expect_usage_refused("--engine fixd", "--engine fixd: expected fixed or reference; did you mean fixed?");
@@ -180,7 +180,7 @@ TEST(CliRefusal, incomplete_commands) {
 TEST(CliRefusal, outputs_of_no_known_kind) {
     const ScratchDirectory scratch;
     expect_refusal(shade16_program("render " + teapot() + " -o " + scratch.path("a.gif")), 2,
-                   "the ending '.gif' names no known format; expected .y4m, .apng, .png or .rgb565");
+                   "the ending '.gif' names no known format; expected .y4m, .apng, .png or a raw one (.rgb565, .gray8, .gray4, .mono1)");
     expect_refusal(shade16_program("render " + teapot() + " --format rgb888 -o " + scratch.path("a.rgb565")), 2,
                    ".rgb565 holds 16 bits a pixel, but --format rgb888 has 24");
     EXPECT_THAT(scratch.names(), IsEmpty());

@@ -105,7 +105,8 @@ TEST(FrameWriter, raw_of_another_pixel_size_is_refused_and_leaves_no_file) {
 TEST(FrameWriter, an_unknown_ending_lists_the_known_ones) {
     const ScratchDirectory scratch;
     EXPECT_EQ(complaint([] { open_writer("spin.gif", 1, 1, 1, 30); }),
-              "2: spin.gif: the ending '.gif' names no known format; expected .y4m, .apng, .png or .rgb565, or '-' for Y4M on "
+              "2: spin.gif: the ending '.gif' names no known format; expected .y4m, .apng, .png or a raw one (.rgb565, .gray8, "
+              ".gray4, .mono1), or '-' for Y4M on "
               "standard output.");
     EXPECT_THAT(complaint([] { open_writer("spin", 1, 1, 1, 30); }), HasSubstr("a name without an ending"));
 }

@@ -4,10 +4,18 @@
 #include "shade16/pipeline/paint_exact.hpp"
 #include "shade16/pipeline/small_planes.hpp"
 
+namespace shade16 {
+
+/// Farthest from exact interpolation before rounding, in codes of the target: at most 28 steps of a unit of `mulhi`, which is
+/// 2^-15 code in 8 bits and finer in fewer. Well inside the bound of the policy `exact`.
+inline constexpr uint32_t small_exact_max_error_per_65536_code = 32;
+
+}  // namespace shade16
+
 namespace shade16::detail {
 
 /// One channel in Q24 codes: at the middle pixel, and its steps. From Q15 channels.
-/// Error   28 steps of a unit of `mulhi`, which is 2^-15 code where it is coarsest: 1 of 1024 codes.
+/// Error   small_exact_max_error.
 struct SmallExactChannel {
     uint32_t value = 0, x = 0, y = 0;
 

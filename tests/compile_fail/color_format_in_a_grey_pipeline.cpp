@@ -1,0 +1,13 @@
+// EXPECT: a grey format is drawn by a pipeline of Channels::luma, and a format of three channels by one of Channels::rgb
+#include "shade16/shade16.hpp"
+
+using namespace shade16;
+
+constexpr Object objects[] = {{.mesh = cube.mesh()}};
+constexpr Scene scene{.objects = objects};
+
+Workspace<scene, mediump, VertexStore::keep, usual_slots, Channels::luma> workspace;
+Renderer<scene, mediump, VertexStore::keep, needs_of(scene), Channels::luma> renderer(workspace);
+Framebuffer<Rgb565, 8, 8> framebuffer;
+
+void draw() { renderer.draw(framebuffer.band()); }
