@@ -41,6 +41,10 @@ std::string pixels_text(const std::vector<Comparison>& tiers, const Ink& ink) {
     for (const Comparison& c : tiers)
         text += row(c, c.pixels, fmt::format("as above + {:.2g}", c.stepping_levels), ink);
     for (const Comparison& c : tiers)
+        if (c.tables.count > 0) text += row(c, c.tables, "a light table's own", ink);
+    if (tiers.front().tables.count > 0)
+        text += "    A light table is a policy with a bound of its own: it holds neither mediump's promise nor lowp's.\n";
+    for (const Comparison& c : tiers)
         if (c.textured_pixels > 0)
             text += fmt::format("    {:<9}{} of {} textured pixels show the texel beside the exact one\n", c.tier, c.other_texel,
                                 c.textured_pixels);
@@ -82,7 +86,7 @@ std::string verdict_text(const std::string& verdict, const Ink& ink) {
 
 const char* verdict_of(const std::vector<Comparison>& tiers) {
     const auto any = [&](auto is) { return std::any_of(tiers.begin(), tiers.end(), is); };
-    if (any([](const Comparison& c) { return !c.vertices.holds() || !c.pixels.holds(); })) return "broken";
+    if (any([](const Comparison& c) { return !c.vertices.holds() || !c.pixels.holds() || !c.tables.holds(); })) return "broken";
     return any([](const Comparison& c) { return !c.holds(); }) ? "suspect" : "kept";
 }
 

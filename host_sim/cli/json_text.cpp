@@ -31,6 +31,7 @@ Json comparison(const Comparison& c) {
             {"promise_levels", {{"to_exponent_128", c.promise_to_128}, {"to_exponent_1000", c.promise_to_1000}}},
             {"vertices", figures(c.vertices)},
             {"pixels", figures(c.pixels)},
+            {"light_table_pixels", figures(c.tables)},
             {"clipped_pixels", c.clipped_pixels},
             {"textured_pixels", c.textured_pixels},
             {"neighbouring_texels", c.other_texel},

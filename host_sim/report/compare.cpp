@@ -81,6 +81,25 @@ double texel_error(const Object& object, Viewport viewport) {
     return std::ldexp(std::max(1.0, std::max(viewport.width, viewport.height) / 256.0), log2 + 15 - object.mesh.texcoord_bits + error_log2);
 }
 
+/// Whether an object's pixels come from its light table, as the engine decides it.
+bool is_by_table(const Object& object, const reference::FrameValues& values) {
+    if (!detail::may_use_light_table(object)) return false;
+    bool shines = false;
+    for (const Light& light : values.lights) {
+        if (light.intensity.is_zero() || light.kind == LightKind::ambient) continue;
+        if (light.is_lamp()) return false;
+        shines = shines || (object.material.specular != black && light.specular != black);
+    }
+    return !(shines && values.camera.sees_locally());
+}
+
+/// What a table promises in place of the tier: its own error and half a code of RGB565 (or a luma's 16 bits), and a highlight that begins
+/// within an entry of N.L = 0.
+PromisedLevels promised_of_table(const Material& material, Channels colors) {
+    const double each = light_table_max_error(material.light_table, material.shininess).micro / 1e6;
+    return {each, each, 0.08, colors == Channels::luma ? 0.01 : levels_of_full_scale / 62};
+}
+
 /// A pixel with light of its own: right if it is right for some place that is no farther off than coordinates may be.
 void judge_pixel(Comparison& result, const glm::dvec3& shown, const reference::Scene& scene, const Frame& frame, uint32_t o, uint32_t f,
                  const reference::FacePoint& point, Viewport viewport, Channels colors, const PromisedLevels& promise) {
@@ -90,6 +109,10 @@ void judge_pixel(Comparison& result, const glm::dvec3& shown, const reference::S
         shifted.texel_shift = shift;
         return judge(shown, reference::light_surface(scene, frame, o, f, shifted, colors), object.material, promise);
     };
+    if (is_by_table(object, reference::FrameValues(scene.values, frame))) {
+        const Verdict v = judge(shown, reference::light_surface(scene, frame, o, f, point, colors), object.material, promised_of_table(object.material, colors));
+        return result.tables.add(v.error_levels, v.bound_levels);
+    }
     Verdict best = verdict_at({});
     if (detail::has_texture(object) || detail::has_bump(object)) {
         const Verdict exact = best;

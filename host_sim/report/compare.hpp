@@ -28,6 +28,7 @@ struct Comparison {
     double widest_code_levels = 0, narrowest_code_levels = 0;
     double promise_to_128 = 0, promise_to_1000 = 0;
     ErrorFigures vertices{}, pixels{};
+    ErrorFigures tables{};           // pixels by a light table, against its own bound
     std::size_t beside_gate = 0;     // vertices where either side of the step at N.L = 0 was accepted
     std::size_t textured_pixels = 0;
     std::size_t other_texel = 0;     // textured pixels that show a neighbour of the exact texel
@@ -38,7 +39,7 @@ struct Comparison {
     /// Whether the reference differs anywhere: one that never does is not compared with. Vertex colours alone may agree,
     /// where a scene is unlit and its colours are 0 and 1.
     bool differs() const { return vertices.largest > 0 || pixels.largest > 0; }
-    bool holds() const { return vertices.holds() && pixels.holds() && differs(); }
+    bool holds() const { return vertices.holds() && pixels.holds() && tables.holds() && differs(); }
 };
 
 /// Adds one frame to a comparison. `exact` has the scene's own quantised meshes, `original` the file's. Of formats with

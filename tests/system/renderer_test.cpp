@@ -68,6 +68,14 @@ constexpr Object floor_alone[] = {
     {.mesh = textured_quad.mesh(), .material = by_pixel(textured({.diffuse = white}, Filter::bilinear, Mapping::perspective, &relief), NormalPath::spherical),
      .pose = {.rotation = rotate_x(-80_deg), .scale = {8, 8, 8}, .translation = {0, -1, 0}}}};
 
+constexpr Material by_table(Material m, LightTable table) {
+    m.shading = Shading::phong, m.light_table = table;
+    return m;
+}
+constexpr Object tabled[] = {
+    {.mesh = torus<24, 12>.mesh(), .material = by_table(*find_material("brass"), LightTable::bilinear), .pose = {.rotation = rotate_x(60_deg)}},
+    {.mesh = sphere<16, 8>.mesh(), .material = by_table(*find_material("jade"), LightTable::nearest), .pose = {.scale = {0.5_q16, 0.3_q16, 0.5_q16}}}};
+
 constexpr Scene torus_scene{.camera = near_by, .lights = lamps, .objects = brass_torus, .background = rgb(0x102040)};
 constexpr Scene flat_scene{.lights = sun, .objects = flat_sphere};
 constexpr Scene cube_scene{.camera = {.eye = {2, 2, 4}}, .objects = unlit_cube};
@@ -85,6 +93,8 @@ constexpr Scene clipped_scene{.camera = {.eye = {1, 0.4_q16, 1}, .near_distance 
 constexpr Scene crate_scene{.camera = near_by, .lights = sun, .objects = crates};
 constexpr Scene textured_scene{.camera = near_by, .lights = lamps, .objects = crates_and_others, .background = rgb(0x203020)};
 constexpr Scene clipped_textured_scene{.camera = {.eye = {1.1_q16, 0.4_q16, 1}, .near_distance = 0.7_q16}, .lights = lamps, .objects = crates_and_others};
+constexpr Scene table_scene{.camera = {.eye = {0, 1, 3}}, .lights = sun, .objects = tabled};
+constexpr Scene unused_table_scene{.camera = near_by, .lights = lamps, .objects = tabled};  // lamps: lit pixel by pixel
 constexpr Scene floor_scene{.camera = {.eye = {0, 0, 3}, .near_distance = 0.5_q16}, .lights = sun, .objects = floor_alone};
 
 constexpr Light stage[] = {ambient_light(rgb(0x101010)),
@@ -143,7 +153,7 @@ class OnePicture : public testing::Test {};
 using Scenes = testing::Types<Named<torus_scene>, Named<flat_scene>, Named<cube_scene>, Named<egg_scene>, Named<map_scene>, Named<crowd_scene>, Named<inside_scene>,
                               Named<smooth_scene>, Named<lamp_scene>, Named<round_scene>, Named<mixed_scene>, Named<clipped_scene>,
                               Named<mirrored_scene>, Named<stage_scene>, Named<ending_scene>, Named<falling_scene>,
-                              Named<crate_scene>, Named<textured_scene>, Named<clipped_textured_scene>, Named<floor_scene>>;
+                              Named<crate_scene>, Named<textured_scene>, Named<clipped_textured_scene>, Named<floor_scene>, Named<table_scene>, Named<unused_table_scene>>;
 TYPED_TEST_SUITE(OnePicture, Scenes);
 
 TYPED_TEST(OnePicture, ShowsSomething) {
@@ -281,6 +291,7 @@ TEST(Renderer, SurvivesRandomScenes) {
         object.material.shininess = any();
         object.material.reflection = static_cast<Reflection>(random() % 2);
         if (random() % 2) object.material.texture = &chequers;
+        object.material.light_table = static_cast<LightTable>(random() % 3);
         if (random() % 2) object.material.bump = &relief;
         object.material.filter = static_cast<Filter>(random() % 2), object.material.mapping = static_cast<Mapping>(random() % 2);
         object.material.unlit = random() % 8 == 0;
