@@ -84,7 +84,7 @@ inline constexpr shade16::Object objects[] = {
 inline constexpr shade16::Scene scene{
     .camera = {
         .eye = {0, 0, 7},
-        .fov_y = {238609294u},  // 20 degrees
+        .fov_y = {298261618u},  // 25 degrees
         .near_distance = 2,
         .far_distance = 20,
     },
