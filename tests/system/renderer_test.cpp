@@ -251,9 +251,9 @@ void expect_materials_vary() {
     Renderer<scene_before, Tier, VertexStore::keep, needs_of(scene_before) | needs_of(scene_after)> renderer(*memory);
     Shininess<Tier> kernel{};  // in RAM
     const Shininess<Tier>* const kernels[] = {&kernel};
-    renderer.use_shininess(kernels);
     const auto frame = [&](const Object& object) {
         kernel = shininess<Tier>(object.material.shininess);
+        renderer.use_shininess(kernels);
         std::vector<Rgb565::Pixel> pixels(static_cast<std::size_t>(screen.width * screen.height));
         std::vector<uint16_t> depth(pixels.size());
         renderer.begin({.materials = &object.material}, screen);
@@ -268,6 +268,26 @@ TEST(Renderer, MaterialsVaryFromFrameToFrame) {
     expect_materials_vary<lowp>();
     expect_materials_vary<mediump>();
     expect_materials_vary<highp>();
+}
+
+// A kernel that changes in its place is asked for anew by the table of light, too.
+constexpr Material looked_up(Q16 exponent) { return {.specular = white, .shininess = exponent, .shading = Shading::phong, .light_table = LightTable::bilinear}; }
+constexpr Object dull_table[] = {{.mesh = torus<24, 12>.mesh(), .material = looked_up(3)}}, sharp_table[] = {{.mesh = torus<24, 12>.mesh(), .material = looked_up(90)}};
+constexpr Scene dull_scene{.lights = sun, .objects = dull_table}, sharp_scene{.lights = sun, .objects = sharp_table};
+
+TEST(Renderer, TablesOfLightFollowTheExponent) {
+    auto memory = std::make_unique<Workspace<dull_scene, mediump>>();
+    Renderer<dull_scene, mediump> renderer(*memory);
+    Shininess<mediump> kernel{};
+    const Shininess<mediump>* const kernels[] = {&kernel};
+    const auto frame = [&](Q16 exponent) {
+        kernel = shininess<mediump>(exponent);
+        renderer.use_shininess(kernels);
+        return frame_of<decltype(renderer), Rgb565>(renderer);
+    };
+    EXPECT_EQ(frame(3), (compiled<dull_scene, mediump>()));
+    EXPECT_EQ(frame(90), (compiled<sharp_scene, mediump>()));
+    EXPECT_NE(frame(3), frame(90));
 }
 
 // Nothing undefined whatever the numbers: the sanitizer build runs this, too.

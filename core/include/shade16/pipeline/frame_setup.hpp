@@ -21,7 +21,12 @@ public:
     constexpr FrameSetup(PreparedScene<Precision> prepared, WorkspaceView<Tier> memory) : prepared_(prepared), work_(memory) {}
 
     /// Other kernels than the prepared ones, of the caller's memory, one an object: from the next frame on. nullptr: no specular light.
-    constexpr void use_shininess(const Shininess<Tier>* const* kernels) { prepared_.shininess = kernels; }
+    /// Tables of light are made anew.
+    constexpr void use_shininess(const Shininess<Tier>* const* kernels) {
+        prepared_.shininess = kernels;
+        if constexpr (N.light_table)
+            for (uint32_t i = 0; work_.tables != nullptr && i < detail::light_table_count(prepared_.scene); ++i) work_.tables[i].is_made = false;
+    }
 
     /// Begins a frame: sets every object up and, with VertexStore::keep, transforms its vertices.
     constexpr void begin(const Frame& frame, Viewport viewport) {

@@ -56,7 +56,7 @@ public:
     static constexpr Needs needs = Have;
 
     /// Exponents that vary at run time: kernels in the caller's memory, one an object, made by shininess<Tier>(exponent) and used from the
-    /// next frame on. In highp that costs nothing; in the 16-bit tiers it makes a table anew.
+    /// next frame on. To be called again whenever one of them has changed. In highp that costs nothing; in the 16-bit tiers it makes a table anew.
     constexpr void use_shininess(const Shininess<Tier>* const* kernels) { pipeline_.use_shininess(kernels); }
 
     constexpr void begin(const Frame& frame, Viewport viewport) { pipeline_.begin(frame, viewport); }
