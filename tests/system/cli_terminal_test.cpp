@@ -40,7 +40,7 @@ TEST(CliTerminal, verdicts_are_coloured_on_a_terminal_alone) {
 
 TEST(CliTerminal, progress_is_shown_on_a_terminal_alone) {
     if (!has_program("script")) GTEST_SKIP() << "script is not installed.";
-    const std::string compare = "compare --frames 60 --tier lowp " + teapot();
+    const std::string compare = "compare --frames 300 --tier lowp " + teapot();  // longer than the while that it waits
     EXPECT_THAT(in_terminal(compare).out, HasSubstr("comparing lowp, frame "));
     EXPECT_THAT(in_terminal(compare + " --quiet").out, Not(HasSubstr("comparing")));
     EXPECT_EQ(shade16_program(compare).err, "");
