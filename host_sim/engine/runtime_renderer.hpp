@@ -10,7 +10,7 @@
 namespace shade16::host {
 
 /// Owns the workspace and the shininess tables of one scene. The scene must outlive it and keep its arrays.
-template <PrecisionTier Precision, Channels Colors = Channels::rgb>
+template <PrecisionTier Precision, Channels Colors = Channels::rgb, Needs N = all_needs>
 class RuntimeRenderer {
 public:
     using Tier = TierIn<Precision, Colors>;
@@ -70,7 +70,7 @@ private:
     std::vector<LightTableMemory<Tier>> light_tables_;
     std::vector<ObjectLight<Tier>> table_lights_;
     Viewport viewport_{};
-    Pipeline<all_needs, Precision, VertexStore::keep, Colors> pipeline_;
+    Pipeline<N, Precision, VertexStore::keep, Colors> pipeline_;
 };
 
 }  // namespace shade16::host

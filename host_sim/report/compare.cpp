@@ -114,12 +114,16 @@ void judge_pixel(Comparison& result, const glm::dvec3& shown, const reference::S
         return result.tables.add(v.error_levels, v.bound_levels);
     }
     Verdict best = verdict_at({});
+    const double interpolation =
+        detail::is_phong(object.material) ? 0 : std::ldexp(lit_sample_max_error_a_pixel * levels_of_full_scale, -24) * std::max(viewport.width, viewport.height);
+    best.bound_levels += interpolation;
     if (detail::has_texture(object) || detail::has_bump(object)) {
         const Verdict exact = best;
         const double e = texel_error(object, viewport) + 0x1p-15;  // of a bilinear weight
         double spread = 0;  // between texels colours run linearly: an error of place is one of colour
         for (const glm::dvec2& shift : {glm::dvec2(-e, -e), glm::dvec2(e, -e), glm::dvec2(-e, e), glm::dvec2(e, e)}) {
-            const Verdict other = verdict_at(shift);
+            Verdict other = verdict_at(shift);
+            other.bound_levels += interpolation;
             spread = std::max(spread, largest(levels(other.reference - exact.reference)));
             if (other.error_levels < best.error_levels) best = other;
         }

@@ -47,14 +47,14 @@ TEST(Face, NormalsPointTheRightWayWhateverTheirSize) {
     EXPECT_LE(worst, std::sqrt(3.0) / 2 * std::ldexp(1.0, -29));
 }
 
-TEST(Face, MeanColourIsRoundedToNearest) {
+TEST(Face, MeanColourIsWithinThreeUnits) {
     std::mt19937 random{25};
     for (int i = 0; i < 200'000; ++i) {
         const uint32_t x = random() & 0xFFFF, y = random() & 0xFFFF, z = random() & 0xFFFF;
-        const Rgb mean = mean_color({Unorm16::from_raw(x), {}, {65535}}, {Unorm16::from_raw(y), {}, {65535}}, {Unorm16::from_raw(z), {}, {65535}});
-        ASSERT_EQ(mean.r.raw, (x + y + z + 1) / 3);
-        ASSERT_EQ(mean.g.raw, 0);
-        ASSERT_EQ(mean.b.raw, 65535);
+        const ColorFactor mean = mean_factor({Unorm16::from_raw(x), {}, {65535}}, {Unorm16::from_raw(y), {}, {65535}}, {Unorm16::from_raw(z), {}, {65535}});
+        ASSERT_NEAR(mean.r, (x + y + z) / 3.0 * 65537, 3.0);
+        ASSERT_EQ(mean.g, 0u);
+        ASSERT_NEAR(mean.b, 4294967295.0, 3.0);
     }
 }
 

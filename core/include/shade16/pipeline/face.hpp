@@ -20,9 +20,11 @@ constexpr IVec3 face_normal(Position16 a, Position16 b, Position16 c) {
     return {shortened(x), shortened(y), shortened(z)};
 }
 
-constexpr Rgb mean_color(const Rgb& a, const Rgb& b, const Rgb& c) {
+/// The mean of three vertex colours as a factor. Error: 3 * 2^-32.
+constexpr ColorFactor mean_factor(const Rgb& a, const Rgb& b, const Rgb& c) {
     const auto mean = [](Unorm16 x, Unorm16 y, Unorm16 z) {
-        return Unorm16::from_raw(mulhi(uint32_t{x.raw} + y.raw + z.raw + 1, uint32_t{0x55555556}));  // a third, rounded
+        constexpr uint32_t widened_third = 1'431'677'610;  // 65537 / 3, Q16
+        return static_cast<uint32_t>(multiply(uint32_t{x.raw} + y.raw + z.raw, widened_third) >> 16);
     };
     return {mean(a.r, b.r, c.r), mean(a.g, b.g, c.g), mean(a.b, b.b, c.b)};
 }

@@ -56,8 +56,8 @@ private:
         const bool colored = N.vertex_colors && has_colors, textured = N.texture && maps.texture != nullptr;
         if constexpr (N.vertex_colors)
             if (colored) {
-                if constexpr (channels == Channels::luma) factor.luma = static_cast<uint32_t>(clamp<int32_t>(s.color.x, 0, (int32_t{1} << 29) - 1)) << 3;
-                else factor = Rgb{unorm(s.color.x), unorm(s.color.y), unorm(s.color.z)};
+                if constexpr (channels == Channels::luma) factor.luma = q32(s.color.x);
+                else factor = ColorFactor{q32(s.color.x), q32(s.color.y), q32(s.color.z)};
             }
         if constexpr (N.texture)
             if (textured) {
@@ -66,7 +66,7 @@ private:
             }
         return colored || textured;
     }
-    static constexpr Unorm16 unorm(int32_t q13) { return Unorm16::from_raw(static_cast<uint32_t>(clamp<int32_t>(shift_right_round(q13, 13), 0, 65535))); }
+    static constexpr uint32_t q32(int32_t q29) { return static_cast<uint32_t>(clamp<int32_t>(q29, 0, (int32_t{1} << 29) - 1)) << 3; }
 };
 
 }  // namespace shade16

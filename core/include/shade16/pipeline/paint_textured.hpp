@@ -6,6 +6,9 @@
 
 namespace shade16 {
 
+/// How far an interpolated sum may be from the exact one, for each pixel of the frame's longer side: two slopes, each rounded down.
+inline constexpr uint32_t lit_sample_max_error_a_pixel = 2;  // of 2^-24
+
 /// Light and place in the texture, interpolated linearly over the screen. Sums of the accumulator up to 16; x alone in a grey
 /// pipeline.
 struct LitSample {

@@ -55,7 +55,7 @@ constexpr TextureSample texture_sample_at(const Mesh& mesh, uint32_t index) {
 template <Channels C>
 SHADE16_INLINE constexpr IVec3 color_in_q29(const Rgb& c) {
     if constexpr (C == Channels::luma) return {static_cast<int32_t>(luma_of(c).luma >> 3), 0, 0};
-    else return {int32_t{c.r.raw} * 8192, int32_t{c.g.raw} * 8192, int32_t{c.b.raw} * 8192};
+    else return {static_cast<int32_t>(c.r.widened() >> 3), static_cast<int32_t>(c.g.widened() >> 3), static_cast<int32_t>(c.b.widened() >> 3)};
 }
 
 /// The surface at a vertex.

@@ -49,7 +49,7 @@ protected:
         }
         constexpr VertexFactor(const Mesh& mesh, const Triangle& t) {
             if constexpr (N.vertex_colors)
-                if (!mesh.colors.empty()) factor = as_factor<Colors>(mean_color(mesh.colors[t.a], mesh.colors[t.b], mesh.colors[t.c])), is_given = true;
+                if (!mesh.colors.empty()) factor = as_factor<Colors>(mean_factor(mesh.colors[t.a], mesh.colors[t.b], mesh.colors[t.c])), is_given = true;
         }
         constexpr const FactorIn<Colors>* get() const { return N.vertex_colors && is_given ? &factor : nullptr; }
     };
