@@ -45,4 +45,17 @@ glm::dvec3 spherical_normal(const std::array<glm::dvec3, 3>& normals, const Face
     return slerp(left->normal, right->normal, width > 0 ? std::clamp((here.x - left->x) / width, 0.0, 1.0) : 0.5);
 }
 
+glm::dvec3 mapped_normal(const std::array<glm::dvec3, 3>& normals, const glm::dvec3& weights, const glm::dmat3& world_to_view) {
+    constexpr double reach = 0.8;
+    glm::dvec2 place(0);
+    for (int k = 0; k < 3; ++k) {
+        const glm::dvec3 n = world_to_view * normals[static_cast<std::size_t>(k)];
+        glm::dvec2 p = glm::dvec2(n) / std::sqrt(std::max(2 * (1 + n.z), 1e-12));
+        if (glm::length(p) > reach) p *= reach / glm::length(p);
+        place += weights[k] * p;
+    }
+    const double squared = glm::dot(place, place);
+    return glm::transpose(world_to_view) * glm::dvec3(2.0 * std::sqrt(1 - squared) * place, 1 - 2 * squared);
+}
+
 }  // namespace shade16::reference

@@ -14,4 +14,7 @@ glm::dvec3 linear_normal(const std::array<glm::dvec3, 3>& normals, const glm::dv
 /// Source  Shoemake, Animating Rotation with Quaternion Curves, 1985.
 glm::dvec3 spherical_normal(const std::array<glm::dvec3, 3>& normals, const FacePoint& at);
 
+/// On Lambert's azimuthal equal-area map of the view, p = (x, y) / sqrt(2 (1 + z)), as light tables do; within |p| <= 0.8.
+glm::dvec3 mapped_normal(const std::array<glm::dvec3, 3>& normals_world, const glm::dvec3& weights, const glm::dmat3& world_to_view);
+
 }  // namespace shade16::reference

@@ -110,7 +110,8 @@ LightParts light_phong_surface(const Scene& scene, const Frame& frame, std::size
         if (!mesh.colors.empty()) point.color += weight * mesh.colors[face.index[k]];
     }
     point.color = in_channels(point.color, channels) * in_channels(maps.color, channels);
-    point.normal = object.material.normal_path == NormalPath::spherical ? spherical_normal(normals, at) : linear_normal(normals, at.weights);
+    if (at.on_table_map) point.normal = mapped_normal(normals, at.weights, reference::make_view(values.camera, {1, 1}).rotation);
+    else point.normal = object.material.normal_path == NormalPath::spherical ? spherical_normal(normals, at) : linear_normal(normals, at.weights);
     if (detail::has_bump(object) && point.normal != glm::dvec3(0)) {
         const Tangents tangents = face_tangents(positions, face.at);
         point.normal = glm::normalize(point.normal + maps.slope.x * tangents.along_s + maps.slope.y * tangents.along_t);

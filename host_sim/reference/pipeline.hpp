@@ -49,6 +49,7 @@ struct FacePoint {
     glm::dvec3 weights{};                  // barycentric
     std::array<glm::dvec2, 3> corner_px{};  // what spherical interpolation follows: edges first, then rows of pixels
     glm::dvec3 weights_in_space{};          // barycentric before projection: what texture coordinates in perspective follow
+    bool on_table_map = false;              // normals are interpolated on the light table's map
     glm::dvec2 texel_shift{};              // where to look textures up instead, in texels: for errors of coordinates
 };
 

@@ -97,7 +97,7 @@ bool is_by_table(const Object& object, const reference::FrameValues& values) {
 /// within an entry of N.L = 0.
 PromisedLevels promised_of_table(const Material& material, Channels colors) {
     const double each = light_table_max_error(material.light_table, material.shininess).micro / 1e6;
-    return {each, each, 0.08, colors == Channels::luma ? 0.01 : levels_of_full_scale / 62};
+    return {each, each, light_table_gate_per_1024 / 1024.0, colors == Channels::luma ? 0.01 : levels_of_full_scale / 62};
 }
 
 /// A pixel with light of its own: right if it is right for some place that is no farther off than coordinates may be.
@@ -110,7 +110,13 @@ void judge_pixel(Comparison& result, const glm::dvec3& shown, const reference::S
         return judge(shown, reference::light_surface(scene, frame, o, f, shifted, colors), object.material, promise);
     };
     if (is_by_table(object, reference::FrameValues(scene.values, frame))) {
-        const Verdict v = judge(shown, reference::light_surface(scene, frame, o, f, point, colors), object.material, promised_of_table(object.material, colors));
+        reference::FacePoint mapped = point;
+        mapped.on_table_map = true;
+        const reference::LightParts parts = reference::light_surface(scene, frame, o, f, mapped, colors);
+        const PromisedLevels own = promised_of_table(object.material, colors);
+        Verdict v = judge(shown, parts, object.material, own);
+        for (const reference::LightShare& share : parts.shares)  // four entries may show anything between the two sides of its step
+            if (std::abs(share.n_dot_l) < own.gate) v.bound_levels += largest(levels(share.specular)) / 2;
         return result.tables.add(v.error_levels, v.bound_levels);
     }
     Verdict best = verdict_at({});
@@ -164,7 +170,7 @@ void compare_pixels(Comparison& result, RuntimeRenderer<Tier, Colors>& renderer,
         const auto width = static_cast<std::size_t>(viewport.width);
         const glm::dvec3 w = reference::barycentric(corner, {double(i % width) + 0.5, double(i / width) + 0.5});
         if (reference::is_by_pixel(object)) {  // no stepping of colours: the light itself, at this very point
-            const reference::FacePoint point{w, corner, weights_in_space(scene, frame, viewport, o, t, w), {}};
+            const reference::FacePoint point{w, corner, weights_in_space(scene, frame, viewport, o, t, w), false, {}};
             judge_pixel(result, value_of<Unrounded>(pixels[i]), scene, frame, o, f, point, viewport, Colors, promised<Tier>(ScreenVertex<Tier>::channel_bits));
             continue;
         }

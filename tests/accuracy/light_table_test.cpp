@@ -38,7 +38,7 @@ public:
         reference::SurfacePoint point;
         point.normal = reference::normal_to_world(object_.pose, reference::value(n));
         const reference::LightParts parts = reference::light_point(camera_, {&light_, 1}, object_.material, object_.pose, point);
-        if (std::abs(parts.shares[0].n_dot_l) < 0.08 && object_.material.specular != black) return -1;
+        if (std::abs(parts.shares[0].n_dot_l) < light_table_gate_per_1024 / 1024.0 && object_.material.specular != black) return -1;
         const TableLight<needs, Channels::rgb> light{table_->entry, object_.material.light_table == LightTable::bilinear};
         const auto shown = light.light(table_sample<mediump>(*table_, n));
         const glm::dvec3 color = glm::dvec3(shown.r, shown.g, shown.b) * 0x1p-24;

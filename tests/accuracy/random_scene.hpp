@@ -42,7 +42,7 @@ private:
 
     void choose_lights() {
         if (maybe(may_.ambient)) lights_.push_back(ambient_light(random_.color()));
-        const bool has_lamps = may_.point && (!may_.directional || random_.integer(0, 3) > 0);
+        const bool has_lamps = may_.point && (!may_.directional || random_.integer(0, 2) > 0);
         const int count = may_.directional || may_.point ? random_.integer(1, 3) : 0;
         for (int i = 0; i < count; ++i) {
             const bool lamp = has_lamps && (!may_.directional || random_.coin());
@@ -99,11 +99,14 @@ private:
         return m;
     }
     void choose_maps(Material& m) {
+        if (may_.light_table && random_.integer(0, 3) == 0) {
+            m.light_table = maybe(may_.bilinear) ? LightTable::bilinear : LightTable::nearest;
+            return;
+        }
         if (maybe(may_.texture)) m.texture = &texture();
         if (maybe(may_.bump)) m.bump = &relief();
         m.filter = maybe(may_.bilinear) ? Filter::bilinear : Filter::nearest;
         m.mapping = maybe(may_.perspective_texture) ? Mapping::perspective : Mapping::affine;
-        if (maybe(may_.light_table)) m.light_table = maybe(may_.bilinear) ? LightTable::bilinear : LightTable::nearest;
     }
 
     Mesh random_mesh(const Material& m) {
@@ -115,7 +118,7 @@ private:
             if (kind == 1) mesh = textured ? textured_sphere<16, 8>.mesh() : sphere<16, 8>.mesh();
             if (kind == 2) mesh = textured ? textured_torus<16, 8>.mesh() : torus<16, 8>.mesh();
         }
-        if (maybe(may_.vertex_colors)) {
+        if (may_.vertex_colors && random_.integer(0, 2) == 0) {
             auto& colors = colors_.emplace_back();
             for (uint32_t i = 0; i < mesh.positions.count; ++i) colors.push_back(random_.color());
             mesh.colors = {colors.data(), static_cast<uint32_t>(colors.size())};

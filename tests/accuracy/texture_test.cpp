@@ -84,7 +84,7 @@ void look(Shown& shown, RandomTriangle& t, Viewport frame_size) {
             const glm::dvec3 w = reference::barycentric(corner_px, {x + 0.5, y + 0.5});
             if (!(w.x > 1e-6 && w.y > 1e-6 && w.z > 1e-6)) continue;  // on the edge, the top-left rule decides
             const uint16_t texel = pixels[static_cast<std::size_t>(y * frame_size.width + x)];
-            const glm::dvec2 place = 256.0 * reference::texture_coordinates(at, {w, corner_px, w / depth, {}}, by_depth);
+            const glm::dvec2 place = 256.0 * reference::texture_coordinates(at, {w, corner_px, w / depth, false, {}}, by_depth);
             const double outside = std::max(distance_outside(place.x, texel & 255), distance_outside(place.y, texel >> 8));
             shown.worst = std::max(shown.worst, outside);
             shown.other_texel += outside > 0;

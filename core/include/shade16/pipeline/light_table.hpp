@@ -11,9 +11,12 @@ inline constexpr int light_table_log2 = 6;
 inline constexpr int32_t light_table_side = int32_t{1} << light_table_log2;
 inline constexpr uint32_t light_table_entries = uint32_t{1} << (2 * light_table_log2);
 
-/// The largest error for one light arriving at intensity 1, looked up at a vertex normal, beside half a code of RGB565: 18 + 5.5 sqrt(n)
-/// levels for the nearest entry, up to 2.9 degrees away, and 2 + 1.9 sqrt(n) + 0.07 n for four. Within an entry's width of N.L = 0 a
-/// highlight may begin or end an entry too early. Between vertices places are interpolated in the table's plane: that comes on top.
+/// |N.L| below which a highlight may begin or end too early: an entry spans up to 6 degrees.
+inline constexpr uint32_t light_table_gate_per_1024 = 113;
+
+/// The largest error for one light arriving at intensity 1, beside half a code of RGB565: 18 + 5.5 sqrt(n) levels for the nearest entry,
+/// up to 2.9 degrees away, and 2 + 1.9 sqrt(n) + 0.07 n for four. Beside N.L = 0, within light_table_gate, a highlight may
+/// begin or end too early. Between vertices it is the table's map that normals are interpolated on, and not their components.
 constexpr Levels light_table_max_error(LightTable kind, Q16 exponent) {
     const auto n = static_cast<uint64_t>(clamp(exponent.raw, min_shininess.raw, max_shininess.raw));      // Q16
     const uint64_t root = isqrt(n);                                                                      // Q8
