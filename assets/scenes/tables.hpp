@@ -33,6 +33,7 @@ inline constexpr shade16::Material direct_material{
     .specular = shade16::rgb(0xFDF0CE),
     .shininess = shade16::Q16::from_raw(1828286),
     .shading = shade16::Shading::phong,
+    .normal_path = shade16::NormalPath::spherical,
 };
 
 inline constexpr shade16::Light lights[] = {

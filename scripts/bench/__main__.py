@@ -8,6 +8,7 @@ import sys
 import budgets
 import glsl_cost
 import tables
+import term_costs
 from commands import PROJECT, BenchError, run
 from counting import FrameCount, build_plugin, measure, shared_ranges
 from hot_spots import report
@@ -36,11 +37,15 @@ def arguments():
                         help="instead, print where the instructions of one scene go, S1 to S6")
     parser.add_argument("--glsl", action="store_true",
                         help="instead, print what a call of GLSL's functions costs: the table of docs/glsl.md")
+    parser.add_argument("--terms", action="store_true",
+                        help="instead, print what each term adds to a scene: the table of docs/performance.md")
     parser.add_argument("--board", choices=BOARDS, help=f"with --profile: the board ({DEFAULT_BOARD})")
     parser.add_argument("--tier", choices=TIERS, help=f"with --profile: the precision tier ({DEFAULT_TIER})")
     given = parser.parse_args()
     if given.profile and (given.update or given.bless):
         parser.error("--profile measures one scene, so that --update and --bless cannot be given with it")
+    if given.terms and (given.update or given.bless or given.profile or given.glsl):
+        parser.error("--terms measures scenes of its own, so that --update, --bless, --profile and --glsl cannot be given with it")
     if given.glsl and (given.update or given.bless or given.profile):
         parser.error("--glsl measures functions, so that --update, --bless and --profile cannot be given with it")
     if not given.profile and (given.board or given.tier):
@@ -110,6 +115,8 @@ def main():
         plugin = build_plugin(BUILDS / "bench")
         if given.profile:
             profile(given, plugin)
+        elif given.terms:
+            print(term_costs.table(plugin))
         elif given.glsl:
             print(glsl_cost.table(plugin))
         else:

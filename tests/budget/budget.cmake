@@ -20,3 +20,17 @@ shade16_add_image(known_count ${CMAKE_CURRENT_SOURCE_DIR}/budget/counter/known_c
 # What scripts/bench.sh --glsl counts in, built when it asks.
 shade16_add_image(glsl_cost ${CMAKE_CURRENT_SOURCE_DIR}/budget/glsl_cost.cpp)
 set_target_properties(glsl_cost PROPERTIES EXCLUDE_FROM_ALL ON)
+
+# What scripts/bench.sh --terms measures: a scene with one term more, an image each, built when it asks. The names and terms are those of
+# scripts/bench/term_costs.py.
+file(STRINGS ${PROJECT_SOURCE_DIR}/scripts/bench/term_costs.py lines REGEX "^    \"[a-z_]+\": \\(\"")
+foreach(line IN LISTS lines)
+  string(REGEX MATCHALL "\"[a-z_]+\": \\(\"[a-z_ ]*\"" variants "${line}")
+  foreach(variant IN LISTS variants)
+    string(REGEX REPLACE "^\"([a-z_]+)\": \\(\"([a-z_ ]*)\"$" "\\1" name "${variant}")
+    string(REGEX REPLACE "^\"([a-z_]+)\": \\(\"([a-z_ ]*)\"$" "\\2" terms "${variant}")
+    shade16_add_image(term_${name} ${CMAKE_CURRENT_SOURCE_DIR}/budget/term_scene.cpp)
+    target_compile_definitions(term_${name} PRIVATE "SHADE16_TERMS=\" ${terms}\"")
+    set_target_properties(term_${name} PROPERTIES EXCLUDE_FROM_ALL ON)
+  endforeach()
+endforeach()

@@ -26,4 +26,8 @@ foreach(board IN LISTS SHADE16_BOARDS)
   shade16_add_bench_test(bench.budgets.${board} ${PROJECT_SOURCE_DIR}/scripts/bench/check_budgets.py
     ${SHADE16_BOARD_BUILDS}/${board}/firmware/scene_s1.elf
     ${board} ${SHADE16_BOARD_BUILDS} $<TARGET_FILE:instruction_counter>)
+  if(TARGET shade16)
+    shade16_add_bench_test(terms.link_nothing_else.${board} ${CMAKE_CURRENT_SOURCE_DIR}/budget/term_code_test.py
+      ${SHADE16_BOARD_BUILDS}/${board}/firmware/scene_s1.elf ${SHADE16_BOARD_BUILDS}/${board}/firmware $<TARGET_FILE:shade16>)
+  endif()
 endforeach()

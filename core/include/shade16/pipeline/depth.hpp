@@ -10,6 +10,7 @@ struct DepthPlane {
     uint32_t value = 0;
     int32_t step_x = 0, step_y = 0;
 
+    constexpr DepthPlane() = default;  // where depth does not count
     template <PrecisionTier Tier>
     constexpr DepthPlane(const TriangleSetup<Tier>& t, RasterPoint from_corner) {
         const int32_t z0 = t.corner[0]->z, d1 = t.corner[1]->z - z0, d2 = t.corner[2]->z - z0;
@@ -38,6 +39,12 @@ struct DepthPlane {
         return value + static_cast<uint32_t>(step_x) * static_cast<uint32_t>(column);
     }
 };
+
+template <bool Depth, PrecisionTier Tier>
+SHADE16_INLINE constexpr DepthPlane depth_plane(const TriangleSetup<Tier>& t, RasterPoint from_corner) {
+    if constexpr (Depth) return DepthPlane(t, from_corner);
+    else return {};
+}
 
 /// The depth test: true when the new value is nearer, and then it is kept.
 template <bool Depth>

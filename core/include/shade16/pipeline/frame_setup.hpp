@@ -101,7 +101,7 @@ private:
 
     constexpr void light_object(ObjectState<Tier>& state, Component shown, const Material& material, const Object& object, const Pose& pose,
                                 const Camera& camera, const View3& view, View<Light> lights) {
-        state.lighting = make_object_lighting<Tier>(camera, view.rotation, lights, material, pose, object.mesh);
+        state.lighting = make_object_lighting<Tier, N>(camera, view.rotation, lights, material, pose, object.mesh);
         keep_component(state.lighting, shown);
         if constexpr (detail::shapes_lamps(N))
             if (work_.shapes != nullptr) state.lighting.shapes = work_.shapes + state.first_light;
@@ -111,7 +111,7 @@ private:
                 if (material.unlit || light.kind == LightKind::ambient || light.intensity.is_zero()) continue;
                 const uint32_t number = state.lights++;
                 ObjectLight<Tier>& lit = work_.lights[state.first_light + number];
-                lit = make_object_light<Tier>(camera, view.rotation, light, material, pose, object.mesh);
+                lit = make_object_light<Tier, N>(camera, view.rotation, light, material, pose, object.mesh);
                 keep_component(lit, shown);
                 if constexpr (detail::shapes_lamps(N))
                     if (work_.shapes != nullptr && detail::is_shaped(light)) {

@@ -137,47 +137,60 @@ constexpr void keep_component(ObjectLight<Tier>& o, Component shown) {
 }
 
 /// What one object keeps of the scene's ambient light, viewer and scale.
-template <PrecisionTier Tier>
+template <PrecisionTier Tier, Needs N = all_needs>
 constexpr ObjectLighting<Tier> make_object_lighting(const Camera& camera, const Mat3& view_rotation, View<Light> lights,
                                                     const Material& material, const Pose& pose, const Mesh& mesh) {
     const detail::LightingFrame frame(pose, mesh);
     ObjectLighting<Tier> o;
-    o.stretch = detail::make_stretch(pose.scale);
+    if constexpr (N.stretch) o.stretch = detail::make_stretch(pose.scale);
     if (material.unlit) {
         o.base = as_accumulator<channels_of<Tier>>(material.diffuse);
         return o;
     }
     o.base = as_accumulator<channels_of<Tier>>(material.emissive);
-    for (const Light& light : lights)
-        if (light.kind == LightKind::ambient)
-            detail::add_product(o.base, detail::make_product<TierIn<highp, channels_of<Tier>>>(material.ambient_color(), light.diffuse, light.intensity));
+    if constexpr (N.ambient)
+        for (const Light& light : lights)
+            if (light.kind == LightKind::ambient)
+                detail::add_product(o.base, detail::make_product<TierIn<highp, channels_of<Tier>>>(material.ambient_color(), light.diffuse, light.intensity));
     o.local_viewer = camera.sees_locally();
     o.reflects = material.reflection == Reflection::phong;
-    o.eye = frame.point(as_block(camera.eye));
-    o.view = UnitVectorOf<Tier>::from(frame.direction(view_rotation.row[2]));
+    if constexpr (N.local_viewer) o.eye = frame.point(as_block(camera.eye));
+    if constexpr (N.specular) o.view = UnitVectorOf<Tier>::from(frame.direction(view_rotation.row[2]));
     return o;
 }
 
-/// One light as one object sees it.
-template <PrecisionTier Tier>
+namespace detail {
+/// Where a lamp stands, and how it fades.
+template <Needs N, PrecisionTier Tier>
+constexpr void place_lamp(ObjectLight<Tier>& o, const LightingFrame& frame, const Camera& camera, const Mat3& view_to_world, const Light& light) {
+    if (light.space == Space::object) o.point = frame.object_point(light.position);
+    else if (light.space == Space::world) o.point = frame.point(as_block(light.position));
+    else o.point = frame.point(view_to_world * as_block(light.position) + as_block(camera.eye));
+    if constexpr (N.attenuation) o.attenuation = frame.attenuation(light.attenuation, o.point.bits);
+}
+}  // namespace detail
+
+/// One light as one object sees it. A lamp in a pipeline without lamps, or another light in one without any, is none.
+template <PrecisionTier Tier, Needs N = all_needs>
 constexpr ObjectLight<Tier> make_object_light(const Camera& camera, const Mat3& view_rotation, const Light& light,
                                               const Material& material, const Pose& pose, const Mesh& mesh) {
     const detail::LightingFrame frame(pose, mesh);
     ObjectLight<Tier> o;
     o.is_point = light.is_lamp();
-    o.diffuse = detail::make_product<Tier>(material.diffuse, light.diffuse, light.intensity);
-    o.specular = detail::make_product<Tier>(material.specular, light.specular, light.intensity);
+    if (o.is_point ? !N.point : !N.directional) return o;
+    if constexpr (N.diffuse) o.diffuse = detail::make_product<Tier>(material.diffuse, light.diffuse, light.intensity);
+    if constexpr (N.specular) o.specular = detail::make_product<Tier>(material.specular, light.specular, light.intensity);
     const Mat3 to_world = transpose(view_rotation);
-    if (o.is_point) {
-        if (light.space == Space::object) o.point = frame.object_point(light.position);
-        else if (light.space == Space::world) o.point = frame.point(as_block(light.position));
-        else o.point = frame.point(to_world * as_block(light.position) + as_block(camera.eye));
-        o.attenuation = frame.attenuation(light.attenuation, o.point.bits);
-        return o;
+    if constexpr (N.point)
+        if (o.is_point) {
+            detail::place_lamp<N>(o, frame, camera, to_world, light);
+            return o;
+        }
+    if constexpr (N.directional) {
+        const Normal30 direction = detail::direction_in(frame, to_world, light.space, light.position);
+        o.direction = UnitVectorOf<Tier>::from(direction);
+        if constexpr (N.halfway) o.half = UnitVectorOf<Tier>::from(half_vector(direction, frame.direction(view_rotation.row[2])));
     }
-    const Normal30 direction = detail::direction_in(frame, to_world, light.space, light.position);
-    o.direction = UnitVectorOf<Tier>::from(direction);
-    o.half = UnitVectorOf<Tier>::from(half_vector(direction, frame.direction(view_rotation.row[2])));
     return o;
 }
 

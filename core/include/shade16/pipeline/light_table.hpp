@@ -86,7 +86,7 @@ struct LightTableMemory {
     const Shininess<Tier>* shininess = nullptr;
     uint32_t lights = 0;
     bool is_made = false;
-    Mat3 to_view{};                           // from the object's frame of lighting
+    Mat3 to_view{{{}, {}, {}}};               // from the object's frame of lighting; all zero, lest the memory lie in flash, too
     uint16_t entry[light_table_entries]{};    // RGB565, or a luma of 16 bits
 };
 
@@ -125,7 +125,7 @@ constexpr bool is_same(const ObjectLight<Tier>& a, const ObjectLight<Tier>& b) {
 }
 
 /// The scene's lights in the view's frame; false where one of them is a lamp. `to` has room for all of them.
-template <PrecisionTier Tier>
+template <Needs N, PrecisionTier Tier>
 constexpr bool lights_in_view(ObjectLight<Tier>* to, uint32_t& count, const Camera& camera, const Mat3& view_rotation, View<Light> lights,
                               const Material& material, const Pose& pose, Component shown) {
     const Pose at_view{transpose(view_rotation), {1, 1, 1}, {}};
@@ -134,7 +134,7 @@ constexpr bool lights_in_view(ObjectLight<Tier>* to, uint32_t& count, const Came
         if (light.kind == LightKind::ambient || light.intensity.is_zero()) continue;
         if (light.is_lamp()) return false;
         if (light.space == Space::object) light.position = pose.rotation * light.position, light.space = Space::world;
-        to[count] = make_object_light<Tier>(camera, view_rotation, light, material, at_view, Mesh{});
+        to[count] = make_object_light<Tier, N>(camera, view_rotation, light, material, at_view, Mesh{});
         keep_component(to[count++], shown);
     }
     return true;
@@ -149,9 +149,9 @@ constexpr bool prepare_light_table(LightTableMemory<Tier>& table, ObjectLight<Ti
                                    const Shininess<Tier>* shininess) {
     uint32_t count = 0;
     if (shininess != nullptr && camera.sees_locally()) return false;
-    if (!detail::lights_in_view<Tier>(scratch, count, camera, view_rotation, lights, material, pose, shown)) return false;
+    if (!detail::lights_in_view<N, Tier>(scratch, count, camera, view_rotation, lights, material, pose, shown)) return false;
     const Pose at_view{transpose(view_rotation), {1, 1, 1}, {}};
-    ObjectLighting<Tier> lighting = make_object_lighting<Tier>(camera, view_rotation, lights, material, at_view, Mesh{});
+    ObjectLighting<Tier> lighting = make_object_lighting<Tier, N>(camera, view_rotation, lights, material, at_view, Mesh{});
     lighting.local_viewer = false;  // without a highlight it does not matter
     keep_component(lighting, shown);
     table.to_view = view_rotation * pose.rotation;

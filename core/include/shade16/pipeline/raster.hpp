@@ -56,7 +56,7 @@ SHADE16_INLINE constexpr void walk(const TriangleSetup<Tier>& t, const PixelBox&
 template <Stepping Step, bool Depth, PixelFormat Format, PrecisionTier Tier>
 [[gnu::noinline]] constexpr void raster(const TriangleSetup<Tier>& t, const PixelBox& box, const Band<Format>& band) {
     const RasterPoint from_corner = t.to_reference();
-    const DepthPlane depth(t, from_corner);
+    const DepthPlane depth = depth_plane<Depth>(t, from_corner);
     bool is_sliver = t.is_sliver() || (Depth && depth.is_steep());
 
     if constexpr (Step == Stepping::packed && PackedFormat<Format>) {
@@ -81,7 +81,7 @@ SHADE16_INLINE constexpr void draw_triangle(const FacingTriangle<Tier>& t, const
 }
 
 /// A triangle whose pixels are made one by one from samples, with what walking it takes.
-template <class Kind, PrecisionTier Tier>
+template <class Kind, bool Depth, PrecisionTier Tier>
 struct SampledTriangle {
     using Sample = typename Kind::Sample;
 
@@ -92,9 +92,10 @@ struct SampledTriangle {
     SamplePlanes<Kind> planes;
     bool is_sliver;
 
-    constexpr SampledTriangle(const FacingTriangle<Tier>& t, const Sample (&corner)[3], bool has_depth)
-        : setup(set_up(t)), from_corner(setup.to_reference()), sample{of(t, corner, 0), of(t, corner, 1), of(t, corner, 2)}, depth(setup, from_corner),
-          planes(setup, sample, from_corner), is_sliver(setup.is_sliver() || planes.is_steep || (has_depth && depth.is_steep()) || is_deep()) {}
+    constexpr SampledTriangle(const FacingTriangle<Tier>& t, const Sample (&corner)[3])
+        : setup(set_up(t)), from_corner(setup.to_reference()), sample{of(t, corner, 0), of(t, corner, 1), of(t, corner, 2)},
+          depth(depth_plane<Depth>(setup, from_corner)), planes(setup, sample, from_corner),
+          is_sliver(is_thin(setup) || (Depth && depth.is_steep()) || is_deep()) {}
 
 private:
     constexpr const Sample& of(const FacingTriangle<Tier>& t, const Sample (&corner)[3], int i) const {
@@ -111,7 +112,7 @@ private:
 template <bool Depth, class Light, PixelFormat Format, PrecisionTier Tier>
 [[gnu::noinline]] constexpr void draw_samples(const FacingTriangle<Tier>& triangle, const typename Light::Kind::Sample (&corner)[3], const Light& light,
                                               const Band<Format>& band) {
-    const SampledTriangle<typename Light::Kind, Tier> t(triangle, corner, Depth);
+    const SampledTriangle<typename Light::Kind, Depth, Tier> t(triangle, corner);
     const PixelBox box = triangle.box(band.width);
     if (t.is_sliver) detail::walk(t.setup, box, band, Depth, SampleSliverPainter<Light, Format, Depth, Tier>(t.setup, t.sample, t.from_corner, light));
     else detail::walk(t.setup, box, band, Depth, SamplePainter<Light, Format, Depth>(t.planes, t.depth, light));
@@ -121,7 +122,7 @@ template <bool Depth, class Light, PixelFormat Format, PrecisionTier Tier>
 template <Needs N, PixelFormat Format, PrecisionTier Tier>
 [[gnu::noinline]] constexpr void draw_spherical(const FacingTriangle<Tier>& triangle, const SurfaceSample (&corner)[3], const PixelLight<N, Tier>& light,
                                                 const Band<Format>& band) {
-    const SampledTriangle<SurfaceKind<N, channels_of<Tier>>, Tier> t(triangle, corner, N.depth);
+    const SampledTriangle<SurfaceKind<N, channels_of<Tier>>, N.depth, Tier> t(triangle, corner);
     const PixelBox box = triangle.box(band.width);
     if (t.is_sliver) detail::walk(t.setup, box, band, N.depth, SphericalSliverPainter<N, Format, N.depth, Tier>(t.setup, t.sample, t.from_corner, light));
     else detail::walk(t.setup, box, band, N.depth, SphericalPainter<N, Format, N.depth, Tier>(t.setup, t.sample, t.planes, t.depth, light));

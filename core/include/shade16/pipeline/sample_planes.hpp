@@ -21,12 +21,19 @@ constexpr typename Kind::Sample mix(const typename Kind::Sample (&corner)[3], ui
     return s;
 }
 
-/// How a sample changes over a triangle: its value at the reference pixel of the current row, and its slopes.
+/// Whether a triangle is so thin that some number's slope might not fit 32 bits. Numbers are below 2^29, their differences below 2^30, and
+/// an edge is below 2^reach_bits: with an area above 32 of those a slope is below 2^30 a pixel. It is asked of the triangle alone, so that
+/// numbers which a pipeline carries besides decide nothing.
+template <PrecisionTier Tier>
+constexpr bool is_thin(const TriangleSetup<Tier>& t) {
+    return t.area >> 5 <= uint64_t{1} << t.reach_bits;
+}
+
+/// How a sample changes over a triangle that is not thin: its value at the reference pixel of the current row, and its slopes.
 template <SampleKind Kind>
 struct SamplePlanes {
     using Sample = typename Kind::Sample;
     Sample value{}, step_x{}, step_y{};
-    bool is_steep = false;  // a slope beyond 32 bits: of a sliver
 
     /// `corner` in the order of the set-up's own corners.
     template <PrecisionTier Tier>
@@ -35,7 +42,6 @@ struct SamplePlanes {
             [&](int32_t& v, int32_t& dx, int32_t& dy, int32_t c0, int32_t c1, int32_t c2) {
                 dx = t.inverse.times(t.long_slope_x(c1 - c0, c2 - c0), 4);
                 dy = t.inverse.times(t.long_slope_y(c1 - c0, c2 - c0), 4);
-                is_steep = is_steep || (magnitude(dx) | magnitude(dy)) >= (uint32_t{1} << 30);
                 v = static_cast<int32_t>(c0 + ((multiply(dx, from_corner.x) + multiply(dy, from_corner.y)) >> 4));
             },
             value, step_x, step_y, corner[0], corner[1], corner[2]);

@@ -46,6 +46,7 @@ struct Rgb565 {
     static constexpr const char* name = "rgb565";
     static constexpr int red_bits = 5, green_bits = 6, blue_bits = 5;
     static constexpr Pixel pack(uint32_t r, uint32_t g, uint32_t b) { return static_cast<Pixel>(r << 11 | g << 5 | b); }
+    static constexpr Pixel from_rgb565(uint16_t code) { return code; }
     SHADE16_INLINE static constexpr Pixel from_word(uint32_t word) {
         const uint32_t codes = (word >> 5) & 0x07E0F81F;
         return static_cast<Pixel>(codes | codes >> 16);
@@ -59,6 +60,7 @@ struct Rgb565Swapped {
     static constexpr int red_bits = 5, green_bits = 6, blue_bits = 5;
     SHADE16_INLINE static constexpr Pixel swapped(Pixel p) { return static_cast<Pixel>(p << 8 | p >> 8); }
     static constexpr Pixel pack(uint32_t r, uint32_t g, uint32_t b) { return swapped(Rgb565::pack(r, g, b)); }
+    static constexpr Pixel from_rgb565(uint16_t code) { return swapped(code); }
     SHADE16_INLINE static constexpr Pixel from_word(uint32_t word) { return swapped(Rgb565::from_word(word)); }
 };
 
