@@ -53,6 +53,19 @@ void add_shading(CLI::App& app, std::optional<Shading>& shading) {
         [&](const std::string& word) { shading = shading_of(word); });
 }
 
+/// What is said of every material at once.
+void add_material_look(CLI::App& app, Look& look) {
+    add_shading(app, look.shading);
+    add(app, "--normals", "WORD", "with phong: linear or spherical [the material's]", [&](const std::string& word) { look.normals = normals_of(word); });
+    add(app, "--reflection", "WORD", "highlights: blinn_phong or phong [the material's]",
+        [&](const std::string& word) { look.reflection = reflection_of(word); });
+    add(app, "--light-table", "WORD", "with phong, by a table of light: none, nearest or bilinear [the material's]",
+        [&](const std::string& word) { look.light_table = light_table_of(word); });
+    add(app, "--filter", "WORD", "of textures: nearest or bilinear [the material's]", [&](const std::string& word) { look.filter = filter_of(word); });
+    add(app, "--mapping", "WORD", "of textures: affine or perspective [the material's]",
+        [&](const std::string& word) { look.mapping = mapping_of(word); });
+}
+
 void add_crease(CLI::App& app, std::optional<double>& crease) {
     add(app, "--crease", "ANGLE", "normals from the faces, which keep edges sharper than so many degrees [the model's]",
         [&](const std::string& word) { crease = crease_of(word); });
@@ -66,7 +79,7 @@ void add_component(CLI::App& app, Component& component) {
 template <class Options>
 void add_look(CLI::App& app, Options& o) {
     add(app, "--size", "WxH", "pixels [320x240]", [&](const std::string& word) { o.size = size_of(word); });
-    add_shading(app, o.shading);
+    add_material_look(app, o.look);
     add_crease(app, o.crease);
 }
 
@@ -136,7 +149,7 @@ void add_preview(CLI::App& app, PreviewOptions& o) {
     add_tier(app, o.tier, "lowp, mediump or highp [mediump]");
     add_format(app, o.format, "as a display of that format shows it, as of 'shade16 render' [rgb888; a grey scene's own]");
     add_dither(app, o.dither, "none, 4x4 or 8x8 [none; a grey scene's own]");
-    add_shading(app, o.shading);
+    add_material_look(app, o.look);
     add_crease(app, o.crease);
     add_component(app, o.component);
 }

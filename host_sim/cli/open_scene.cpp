@@ -12,9 +12,8 @@ namespace {
 
 template <class Options>
 OpenScene opened(const Options& o, std::optional<SceneDescription> file) {
-    const Shading* const shading = o.shading ? &*o.shading : nullptr;
-    if (file) return {std::make_unique<LoadedScene>(*file, shading), std::nullopt, *file};
-    auto scene = std::make_unique<ModelScene>(import_obj(o.model, o.crease), o.size, shading);
+    if (file) return {std::make_unique<LoadedScene>(*file, o.look), std::nullopt, *file};
+    auto scene = std::make_unique<ModelScene>(import_obj(o.model, o.crease), o.size, o.look);
     const FitFigures fit = scene->figures();
     SceneDescription description = describe(*scene, o.model);
     description.meshes.front().crease_degrees = o.crease;
@@ -67,14 +66,13 @@ OpenScene open_scene(InfoOptions& o) {
 }
 
 OpenScene open_scene(const PreviewOptions& options, Viewport size) {
-    InfoOptions o{options.model, {}, options.shading, options.crease, size, false, {"--size"}};
+    InfoOptions o{options.model, {}, options.look, options.crease, size, false, {"--size"}};
     return open_scene(o);
 }
 
 std::string dumped(const OpenScene& scene, const RenderOptions& o) {
-    if (o.shading)
-        throw input_error(
-            "--dump-scene: a scene file says shading material by material; expected no --shading beside it.");
+    if (!o.look.says_nothing())
+        throw input_error("--dump-scene: a scene file says shading, normals and the like material by material; expected none of it beside it.");
     if (o.component != Component::all)
         throw input_error("--dump-scene: a scene file has no component; expected no --component beside it.");
     SceneDescription description = scene.description;

@@ -7,6 +7,7 @@
 
 #include "host_sim/engine/formats.hpp"
 #include "shade16/pipeline/transform.hpp"
+#include "host_sim/engine/look.hpp"
 #include "shade16/scene/scene.hpp"
 
 namespace shade16::host {
@@ -19,7 +20,7 @@ struct RenderOptions {
     OutputKind kind = OutputKind::y4m;
     std::string tier = "mediump";
     TargetFormat target{};
-    std::optional<Shading> shading{};  // the material's own without it
+    Look look{};                       // what it does not say is the material's own
     std::optional<double> crease{};    // degrees; the model's own normals without it
     Component component = Component::all;
     Engine engine = Engine::fixed;
@@ -37,7 +38,7 @@ struct CompareOptions {
     std::string model{};
     std::string tier{};  // empty: every one
     TargetFormat target{};  // compared before it is dithered
-    std::optional<Shading> shading{};
+    Look look{};
     std::optional<double> crease{};
     Component component = Component::all;
     Viewport size{320, 240};
@@ -56,7 +57,7 @@ struct PreviewOptions {
     std::string model{};
     std::string tier = "mediump";
     std::optional<std::string> format{}, dither{};  // a grey scene file's own without them, and 24 bits of any other
-    std::optional<Shading> shading{};
+    Look look{};
     std::optional<double> crease{};
     Component component = Component::all;
     int frames = 0;  // 0: until somebody ends it
@@ -65,7 +66,7 @@ struct PreviewOptions {
 struct InfoOptions {
     std::string model{};
     TargetFormat target{};
-    std::optional<Shading> shading{};
+    Look look{};
     std::optional<double> crease{};
     Viewport size{320, 240};
     bool json = false;

@@ -55,6 +55,31 @@ Shading shading_of(const std::string& word) {
     return word == "flat" ? Shading::flat : word == "phong" ? Shading::phong : Shading::gouraud;
 }
 
+NormalPath normals_of(const std::string& word) {
+    expect_one_of("--normals", word, {"linear", "spherical"});
+    return word == "spherical" ? NormalPath::spherical : NormalPath::linear;
+}
+
+Reflection reflection_of(const std::string& word) {
+    expect_one_of("--reflection", word, {"blinn_phong", "phong"});
+    return word == "phong" ? Reflection::phong : Reflection::blinn_phong;
+}
+
+LightTable light_table_of(const std::string& word) {
+    expect_one_of("--light-table", word, {"none", "nearest", "bilinear"});
+    return word == "nearest" ? LightTable::nearest : word == "bilinear" ? LightTable::bilinear : LightTable::none;
+}
+
+Filter filter_of(const std::string& word) {
+    expect_one_of("--filter", word, {"nearest", "bilinear"});
+    return word == "bilinear" ? Filter::bilinear : Filter::nearest;
+}
+
+Mapping mapping_of(const std::string& word) {
+    expect_one_of("--mapping", word, {"affine", "perspective"});
+    return word == "perspective" ? Mapping::perspective : Mapping::affine;
+}
+
 Component component_of(const std::string& word) {
     expect_one_of("--component", word, {"all", "ambient", "diffuse", "specular"});
     return word == "ambient"    ? Component::ambient

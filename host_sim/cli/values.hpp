@@ -15,6 +15,11 @@ int whole_number(std::string_view option, const std::string& word, int least, in
 Viewport size_of(const std::string& word);
 
 Shading shading_of(const std::string& word);
+NormalPath normals_of(const std::string& word);
+Reflection reflection_of(const std::string& word);
+LightTable light_table_of(const std::string& word);
+Filter filter_of(const std::string& word);
+Mapping mapping_of(const std::string& word);
 Component component_of(const std::string& word);
 double crease_of(const std::string& word);  // degrees
 Engine engine_of(const std::string& word);

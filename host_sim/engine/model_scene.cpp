@@ -4,10 +4,10 @@
 
 namespace shade16::host {
 
-ModelScene::ModelScene(Model model, Viewport viewport, const Shading* shading) : model_(std::move(model)), baked_(quantize(model_)) {
+ModelScene::ModelScene(Model model, Viewport viewport, const Look& look) : model_(std::move(model)), baked_(quantize(model_)) {
     for (std::size_t i = 0; i < baked_.parts.size(); ++i) {
         objects_.push_back({mesh_of(baked_, i), baked_.parts[i].material, {}});
-        if (shading != nullptr) objects_.back().material.shading = *shading;
+        look.apply_to(objects_.back().material);
     }
     scene_.objects = {objects_.data(), static_cast<uint32_t>(objects_.size())};
     scene_.background = rgb(0x101820);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "host_sim/engine/animated_scene.hpp"
+#include "host_sim/engine/look.hpp"
 #include "host_sim/model/quantize.hpp"
 
 namespace shade16::host {
@@ -19,8 +20,8 @@ struct FitFigures {
 /// Owns a model's arrays and the scene that looks at them; it does not move, since the scene points into it.
 class ModelScene final : public AnimatedScene {
 public:
-    /// `shading` overrides the material's when it is given.
-    ModelScene(Model model, Viewport viewport, const Shading* shading = nullptr);
+    /// `look` overrides what the materials say.
+    ModelScene(Model model, Viewport viewport, const Look& look = {});
 
     const Scene& scene() const override { return scene_; }
     const BakedModel& baked() const { return baked_; }

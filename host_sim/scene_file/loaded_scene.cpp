@@ -44,7 +44,7 @@ double reach(const BakedModel& model, const ObjectDescription& o) {
 
 }  // namespace
 
-LoadedScene::LoadedScene(SceneDescription description, const Shading* shading) : description_(std::move(description)) {
+LoadedScene::LoadedScene(SceneDescription description, const Look& look) : description_(std::move(description)) {
     source_ = std::filesystem::path(description_.path).filename().string();
     warnings_ = description_.warnings;
     for (const MeshDescription& m : description_.meshes) {
@@ -55,14 +55,14 @@ LoadedScene::LoadedScene(SceneDescription description, const Shading* shading) :
         const std::vector<std::string>& more = meshes_.back().baked.warnings;
         warnings_.insert(warnings_.end(), more.begin(), more.end());
     }
-    for (std::size_t i = 0; i < description_.objects.size(); ++i) add_object(i, shading);
+    for (std::size_t i = 0; i < description_.objects.size(); ++i) add_object(i, look);
     const auto view = []<class T>(const std::vector<T>& v) {
         return View<T>(v.data(), static_cast<uint32_t>(v.size()));
     };
     scene_ = {description_.camera, view(description_.lights), view(objects_), description_.background};
 }
 
-void LoadedScene::add_object(std::size_t index, const Shading* shading) {
+void LoadedScene::add_object(std::size_t index, const Look& look) {
     const ObjectDescription& o = description_.objects[index];
     std::size_t m = 0;
     while (description_.meshes[m].name != o.mesh) ++m;
@@ -70,7 +70,7 @@ void LoadedScene::add_object(std::size_t index, const Shading* shading) {
     const BakedModel& baked = meshes_[m].baked;
     for (std::size_t part = 0; part < baked.parts.size(); ++part) {
         Object object{mesh_of(baked, part), o.value ? *o.value : baked.parts[part].material, {}};
-        if (shading != nullptr) object.material.shading = *shading;
+        look.apply_to(object.material);
         if (o.convex == true && !object.mesh.convex && !hides_nothing_of_itself(object.mesh))
             throw wrong(o, index + 1,
                         fmt::format("says convex = true, but in the mesh '{}' one face can hide another; expected "

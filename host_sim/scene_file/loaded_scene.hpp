@@ -2,6 +2,7 @@
 #pragma once
 
 #include "host_sim/engine/animated_scene.hpp"
+#include "host_sim/engine/look.hpp"
 #include "host_sim/error.hpp"
 #include "host_sim/scene_file/loaded_mesh.hpp"
 
@@ -10,8 +11,8 @@ namespace shade16::host {
 /// Owns the meshes and the scene that looks at them.
 class LoadedScene final : public AnimatedScene {
 public:
-    /// Reads the meshes. `shading` overrides every material's when it is given. Throws input_error with the line.
-    explicit LoadedScene(SceneDescription description, const Shading* shading = nullptr);
+    /// Reads the meshes. `look` overrides what the materials say. Throws input_error with the line.
+    explicit LoadedScene(SceneDescription description, const Look& look = {});
 
     const Scene& scene() const override { return scene_; }
     std::vector<Pose> poses(Angle elapsed) const override;
@@ -30,7 +31,7 @@ public:
     const std::vector<Spin>& spins() const { return spins_; }  // one an object of the scene
 
 private:
-    void add_object(std::size_t index, const Shading* shading);
+    void add_object(std::size_t index, const Look& look);
     void refuse_what_reaches_too_far(const ObjectDescription& object, std::size_t number, std::size_t mesh) const;
     Error wrong(const ObjectDescription& object, std::size_t number, const std::string& complaint) const;
 

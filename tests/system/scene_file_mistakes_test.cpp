@@ -195,7 +195,7 @@ TEST(SceneFileMistakes, the_command_line_wins_over_the_file) {
     EXPECT_THAT(beginning(""), testing::HasSubstr("W20 H10 F7:1"));
     EXPECT_THAT(beginning("--size 30x16 --fps 30"), testing::HasSubstr("W30 H16 F30:1"));
     EXPECT_THAT(shade16_program("render " + scene + " --dump-scene --shading flat").err,
-                EndsWith("expected no --shading beside it.\n"));
+                EndsWith("expected none of it beside it.\n"));
 }
 
 }  // namespace
