@@ -152,6 +152,7 @@ inline constexpr shade16::Material ruby_material{
     .diffuse = shade16::Rgb{{40254}, {2711}, {2711}},
     .specular = shade16::Rgb{{47697}, {41088}, {41088}},
     .shininess = shade16::Q16::from_raw(5033165),
+    .alpha = {36044},  // not drawn
 };
 
 inline constexpr shade16::Material facets_material{
@@ -179,6 +180,7 @@ inline constexpr shade16::Material turquoise_material{
     .diffuse = shade16::Rgb{{25952}, {48595}, {45286}},
     .specular = shade16::Rgb{{19481}, {20204}, {20098}},
     .shininess = shade16::Q16::from_raw(838861),
+    .alpha = {52428},  // not drawn
 };
 
 inline constexpr shade16::Light lights[] = {

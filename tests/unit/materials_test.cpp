@@ -45,6 +45,19 @@ TEST(Materials, ColoursAreThoseOfTheTable) {
     static_assert(find_material("black_plastic")->ambient_color() == black, "given as black, so it is not the diffuse colour");
 }
 
+// Six rows of the table are translucent; nothing draws it, but a scene may read it.
+TEST(Materials, AlphasAreThoseOfTheTable) {
+    static_assert(find_material("emerald")->alpha == 0.55_unorm);
+    static_assert(find_material("jade")->alpha == 0.95_unorm);
+    static_assert(find_material("obsidian")->alpha == 0.82_unorm);
+    static_assert(find_material("pearl")->alpha == 0.922_unorm);
+    static_assert(find_material("ruby")->alpha == 0.55_unorm);
+    static_assert(find_material("turquoise")->alpha == 0.8_unorm);
+    int translucent = 0;
+    for (const NamedMaterial& row : classic_materials) translucent += row.material.alpha != 1_unorm;
+    EXPECT_EQ(translucent, 6);
+}
+
 TEST(Materials, TheAmbientColourIsTheDiffuseOneUnlessGiven) {
     static_assert(Material{.diffuse = rgb(0x102030)}.ambient_color() == rgb(0x102030));
     static_assert(Material{.ambient = rgb(0x405060), .diffuse = rgb(0x102030)}.ambient_color() == rgb(0x405060));

@@ -1,5 +1,5 @@
 // The classic OpenGL material table: 24 rows, from Mark J. Kilgard's teapots.c (1994). The exponent is 128 times the
-// table's `shine`, and is no integer for most rows.
+// table's `shine`, and is no integer for most rows. The table's alphas below 1 are kept for whoever asks; nothing draws them.
 #pragma once
 
 #include "shade16/scene/material.hpp"
@@ -12,19 +12,19 @@ struct NamedMaterial {
 };
 
 namespace detail {
-consteval Material classic(Rgb ambient, Rgb diffuse, Rgb specular, Q16 shininess) {
-    return {.ambient = ambient, .diffuse = diffuse, .specular = specular, .shininess = shininess};
+consteval Material classic(Rgb ambient, Rgb diffuse, Rgb specular, Q16 shininess, Unorm16 alpha = Unorm16{Unorm16::one}) {
+    return {.ambient = ambient, .diffuse = diffuse, .specular = specular, .shininess = shininess, .alpha = alpha};
 }
 consteval Rgb grey(Unorm16 v) { return {v, v, v}; }
 }  // namespace detail
 
 inline constexpr NamedMaterial classic_materials[] = {
-    {"emerald", detail::classic({0.0215_unorm, 0.1745_unorm, 0.0215_unorm}, {0.07568_unorm, 0.61424_unorm, 0.07568_unorm}, {0.633_unorm, 0.727811_unorm, 0.633_unorm}, 76.8_q16)},
-    {"jade", detail::classic({0.135_unorm, 0.2225_unorm, 0.1575_unorm}, {0.54_unorm, 0.89_unorm, 0.63_unorm}, detail::grey(0.316228_unorm), 12.8_q16)},
-    {"obsidian", detail::classic({0.05375_unorm, 0.05_unorm, 0.06625_unorm}, {0.18275_unorm, 0.17_unorm, 0.22525_unorm}, {0.332741_unorm, 0.328634_unorm, 0.346435_unorm}, 38.4_q16)},
-    {"pearl", detail::classic({0.25_unorm, 0.20725_unorm, 0.20725_unorm}, {1_unorm, 0.829_unorm, 0.829_unorm}, detail::grey(0.296648_unorm), 11.264_q16)},
-    {"ruby", detail::classic({0.1745_unorm, 0.01175_unorm, 0.01175_unorm}, {0.61424_unorm, 0.04136_unorm, 0.04136_unorm}, {0.727811_unorm, 0.626959_unorm, 0.626959_unorm}, 76.8_q16)},
-    {"turquoise", detail::classic({0.1_unorm, 0.18725_unorm, 0.1745_unorm}, {0.396_unorm, 0.74151_unorm, 0.69102_unorm}, {0.297254_unorm, 0.30829_unorm, 0.306678_unorm}, 12.8_q16)},
+    {"emerald", detail::classic({0.0215_unorm, 0.1745_unorm, 0.0215_unorm}, {0.07568_unorm, 0.61424_unorm, 0.07568_unorm}, {0.633_unorm, 0.727811_unorm, 0.633_unorm}, 76.8_q16, 0.55_unorm)},
+    {"jade", detail::classic({0.135_unorm, 0.2225_unorm, 0.1575_unorm}, {0.54_unorm, 0.89_unorm, 0.63_unorm}, detail::grey(0.316228_unorm), 12.8_q16, 0.95_unorm)},
+    {"obsidian", detail::classic({0.05375_unorm, 0.05_unorm, 0.06625_unorm}, {0.18275_unorm, 0.17_unorm, 0.22525_unorm}, {0.332741_unorm, 0.328634_unorm, 0.346435_unorm}, 38.4_q16, 0.82_unorm)},
+    {"pearl", detail::classic({0.25_unorm, 0.20725_unorm, 0.20725_unorm}, {1_unorm, 0.829_unorm, 0.829_unorm}, detail::grey(0.296648_unorm), 11.264_q16, 0.922_unorm)},
+    {"ruby", detail::classic({0.1745_unorm, 0.01175_unorm, 0.01175_unorm}, {0.61424_unorm, 0.04136_unorm, 0.04136_unorm}, {0.727811_unorm, 0.626959_unorm, 0.626959_unorm}, 76.8_q16, 0.55_unorm)},
+    {"turquoise", detail::classic({0.1_unorm, 0.18725_unorm, 0.1745_unorm}, {0.396_unorm, 0.74151_unorm, 0.69102_unorm}, {0.297254_unorm, 0.30829_unorm, 0.306678_unorm}, 12.8_q16, 0.8_unorm)},
     {"brass", detail::classic({0.329412_unorm, 0.223529_unorm, 0.027451_unorm}, {0.780392_unorm, 0.568627_unorm, 0.113725_unorm}, {0.992157_unorm, 0.941176_unorm, 0.807843_unorm}, 27.89743616_q16)},
     {"bronze", detail::classic({0.2125_unorm, 0.1275_unorm, 0.054_unorm}, {0.714_unorm, 0.4284_unorm, 0.18144_unorm}, {0.393548_unorm, 0.271906_unorm, 0.166721_unorm}, 25.6_q16)},
     {"chrome", detail::classic(detail::grey(0.25_unorm), detail::grey(0.4_unorm), detail::grey(0.774597_unorm), 76.8_q16)},
