@@ -6,8 +6,10 @@
 #include "host_sim/cli/command_line.hpp"
 #include "host_sim/cli/compare.hpp"
 #include "host_sim/cli/console.hpp"
+#include "host_sim/cli/gallery.hpp"
 #include "host_sim/cli/info.hpp"
 #include "host_sim/cli/ink.hpp"
+#include "host_sim/cli/materials.hpp"
 #include "host_sim/cli/preview.hpp"
 #include "host_sim/cli/render.hpp"
 #include "host_sim/cli/signals.hpp"
@@ -26,6 +28,8 @@ struct Run {
     ExitCode operator()(const BakeOptions& options) const { return bake(options); }
     ExitCode operator()(const InfoOptions& options) const { return info(options); }
     ExitCode operator()(const PreviewOptions& options) const { return preview(options); }
+    ExitCode operator()(const MaterialsOptions& options) const { return materials(options); }
+    ExitCode operator()(const GalleryOptions& options) const { return gallery(options); }
 };
 
 ExitCode refuse(ExitCode code, const char* sentence) {

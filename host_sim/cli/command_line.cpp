@@ -154,6 +154,26 @@ void add_preview(CLI::App& app, PreviewOptions& o) {
     add_component(app, o.component);
 }
 
+void add_materials(CLI::App& app, MaterialsOptions& o) {
+    add(app, "-o,--output", "OUT", "a picture (.png) of all of them as spheres; without it the table is printed",
+        [&](const std::string& path) { o.output = picture_of(path); });
+    add_tier(app, o.tier, "lowp, mediump or highp [mediump]");
+    add(app, "--size", "WxH", "pixels of one sphere's picture [96x96]",
+        [&](const std::string& word) { o.size = size_of(word); });
+    add_shading(app, o.shading);
+    add_flag(app, "--quiet", o.quiet, "print errors only");
+    add_json(app, o.json);
+}
+
+void add_gallery(CLI::App& app, GalleryOptions& o) {
+    app.add_option("ASSETS", o.assets, "the directory of the project's models and scenes")->required()->type_name("");
+    add(app, "-o,--output", "DIRECTORY", "where the pictures go", [&](const std::string& path) {
+        o.output = path;
+    })->required();
+    add_flag(app, "--quiet", o.quiet, "print errors only");
+    add_json(app, o.json);
+}
+
 /// Help that begins with examples; a list of commands has one line for each.
 class ExamplesFirst final : public CLI::Formatter {
 public:
@@ -166,6 +186,8 @@ public:
                                   : name == "bake"    ? bake_help
                                   : name == "info"    ? info_help
                                   : name == "preview" ? preview_help
+                                  : name == "materials" ? materials_help
+                                  : name == "gallery" ? gallery_help
                                                       : program_help;
         return begin + std::string("\n");
     }
@@ -187,7 +209,11 @@ public:
         add_bake(*bake_, bake_options_);
         add_info(*info_, info_options_);
         add_preview(*preview_, preview_options_);
-        for (CLI::App* app : {&app_, render_, compare_, bake_, info_, preview_}) app->footer(exit_codes_help);
+        materials_ = app_.add_subcommand("materials", "the 24 classic materials, as a table or as a picture");
+        gallery_ = app_.add_subcommand("gallery", "draw the pictures of docs/gallery.md; for whoever changes the engine");
+        add_materials(*materials_, materials_options_);
+        add_gallery(*gallery_, gallery_options_);
+        for (CLI::App* app : {&app_, render_, compare_, bake_, info_, preview_, materials_, gallery_}) app->footer(exit_codes_help);
     }
 
     Command parse(int argc, const char* const* argv) {
@@ -203,10 +229,13 @@ public:
         render_options_.given = given_options(*render_);
         compare_options_.given = given_options(*compare_);
         info_options_.given = given_options(*info_);
+        materials_options_.given = given_options(*materials_);
         if (render_->parsed()) return checked(render_options_);
         if (compare_->parsed()) return compare_options_;
         if (bake_->parsed()) return bake_options_;
         if (info_->parsed()) return info_options_;
+        if (materials_->parsed()) return checked(materials_options_);
+        if (gallery_->parsed()) return gallery_options_;
         return preview_options_;
     }
 
@@ -228,9 +257,17 @@ private:
         return o;
     }
 
+    /// What draws belongs to the picture.
+    static const MaterialsOptions& checked(const MaterialsOptions& o) {
+        for (const char* option : {"--size", "--tier", "--shading"})
+            if (o.output.empty() && o.given.contains(option))
+                throw input_error("{}: the table has none; expected -o and the name of a picture beside it.", option);
+        return o;
+    }
+
     /// The command that was given, or nullptr.
     const CLI::App* called() const {
-        for (const CLI::App* app : {render_, compare_, bake_, info_, preview_})
+        for (const CLI::App* app : {render_, compare_, bake_, info_, preview_, materials_, gallery_})
             if (app->parsed()) return app;
         return nullptr;
     }
@@ -249,7 +286,9 @@ private:
         if (command == nullptr)
             return unknown_word(unknown.front(), "command", commands(), "expected " + listed(commands()) + "; " + help);
         if (!unknown.empty())
-            return fmt::format("{}: is one word too many; expected one model; {}.", unknown.front(), help);
+            return fmt::format("{}: is one word too many; expected {}; {}.", unknown.front(),
+                               command == materials_ ? "options alone" : command == gallery_ ? "one directory" : "one model",
+                               help);
         return reworded(error.get_name(), error.what()) + "; " + help + ".";
     }
 
@@ -267,12 +306,15 @@ private:
     }
 
     CLI::App app_{"", "shade16"};
-    CLI::App *render_ = nullptr, *compare_ = nullptr, *bake_ = nullptr, *info_ = nullptr, *preview_ = nullptr;
+    CLI::App *render_ = nullptr, *compare_ = nullptr, *bake_ = nullptr, *info_ = nullptr, *preview_ = nullptr,
+             *materials_ = nullptr, *gallery_ = nullptr;
     RenderOptions render_options_{};
     CompareOptions compare_options_{};
     BakeOptions bake_options_{};
     InfoOptions info_options_{};
     PreviewOptions preview_options_{};
+    MaterialsOptions materials_options_{};
+    GalleryOptions gallery_options_{};
 };
 
 }  // namespace

@@ -13,7 +13,8 @@ struct Answer {
     std::string text{};
 };
 
-using Command = std::variant<Answer, RenderOptions, CompareOptions, BakeOptions, InfoOptions, PreviewOptions>;
+using Command = std::variant<Answer, RenderOptions, CompareOptions, BakeOptions, InfoOptions, PreviewOptions, MaterialsOptions,
+                             GalleryOptions>;
 
 /// Throws input_error with one sentence.
 Command parse_command_line(int argc, const char* const* argv);

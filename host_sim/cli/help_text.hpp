@@ -12,6 +12,7 @@ inline constexpr const char* program_help =
   shade16 bake teapot.obj -o teapot.hpp                 the model as a C++ header for the microcontroller
   shade16 preview teapot.obj                            a look at it in the terminal
   shade16 info teapot.obj                               what it needs, and what it takes in flash and RAM
+  shade16 materials -o sheet.png                        the 24 classic materials by name
 
 shade16 draws on this computer what the fixed-point engine draws on a microcontroller, bit for bit.
 )";
@@ -70,6 +71,25 @@ inline constexpr const char* preview_help =
   shade16 preview teapot.obj | less -R                  the same where there is no terminal
 
 Shows the model in the terminal, two pixels a character, in 24-bit colour; in letters alone where NO_COLOR is set.
+)";
+
+inline constexpr const char* materials_help =
+    R"(Examples:
+  shade16 materials                                     the table: colours, shininess and alpha
+  shade16 materials -o sheet.png                        a sheet of spheres
+  shade16 materials -o sheet.png --size 160x160 --shading phong
+  shade16 materials --json | jq '.materials[].name'     for scripts
+
+The classic OpenGL materials, which a scene file takes by their names, such as like = "emerald". Their alpha is kept and
+not drawn.
+)";
+
+inline constexpr const char* gallery_help =
+    R"(Examples:
+  shade16 gallery assets -o docs/gallery                what scripts/gallery.sh runs
+
+Draws the pictures of docs/gallery.md and prints the figures that the page quotes. The exit code is 1 when two pictures that
+are shown side by side differ in fewer pixels than the page says.
 )";
 
 inline constexpr const char* exit_codes_help =

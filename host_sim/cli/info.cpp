@@ -28,6 +28,9 @@ std::string objects_text(const Survey& s) {
     for (const SurveyedObject& o : s.objects)
         text += fmt::format("  {}: {}, {}, {}\n", o.name, counted(o.vertices, "vertex", "vertices"),
                             counted(o.triangles, "triangle", "triangles"), o.convex ? "convex" : "not convex");
+    if (s.translucent_objects > 0)
+        text += fmt::format("  {} alpha below 1: alpha is kept and not drawn\n",
+                            counted(s.translucent_objects, "object has", "objects have"));
     return text;
 }
 

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "host_sim/cli/comparison_text.hpp"
+#include "host_sim/gallery/heat_map.hpp"
+#include "host_sim/gallery/material_sheet.hpp"
 #include "host_sim/report/terms.hpp"
 #include "host_sim/scene_file/bake_scene.hpp"
 
@@ -66,6 +68,8 @@ Json memory(const Survey& s) {
     for (const BandMemory& b : s.bands) bands.push_back({{"rows", b.rows}, {"bytes", b.bytes}});
     return {{"flash_mesh_bytes", s.mesh_bytes}, {"flash_picture_bytes", s.picture_bytes}, {"tiers", tiers}, {"bands", bands}};
 }
+
+Json color(const Rgb& c) { return {c.r.raw / 65535.0, c.g.raw / 65535.0, c.b.raw / 65535.0}; }
 
 Json vector(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
@@ -152,7 +156,56 @@ std::string info_json(const Survey& s, const std::vector<std::string>& warnings)
     json["height"] = s.viewport.height;
     json["format"] = s.format;
     json["memory"] = memory(s);
+    json["objects_with_alpha_below_1"] = s.translucent_objects;
     json["warnings"] = warnings;
+    return finished(json);
+}
+
+std::string materials_json(const MaterialsOptions& o) {
+    Json json = beginning("materials");
+    if (!o.output.empty()) {
+        const Viewport size = material_sheet_size(o.size);
+        json["output"] = o.output;
+        json["width"] = size.width;
+        json["height"] = size.height;
+    }
+    json["materials"] = Json::array();
+    for (const NamedMaterial& row : classic_materials)
+        json["materials"].push_back({{"name", row.name},
+                                     {"ambient", color(row.material.ambient_color())},
+                                     {"diffuse", color(row.material.diffuse)},
+                                     {"specular", color(row.material.specular)},
+                                     {"shininess", row.material.shininess.raw / 65536.0},
+                                     {"alpha", row.material.alpha.raw / 65535.0}});
+    json["alpha_is_drawn"] = false;
+    json["warnings"] = Json::array();
+    return finished(json);
+}
+
+std::string gallery_json(const std::vector<Plate>& plates) {
+    Json json = beginning("gallery");
+    json["pictures"] = Json::array();
+    for (const Plate& plate : plates) {
+        Json pairs = Json::array(), panels = Json::array();
+        for (const Pair& p : plate.pairs)
+            pairs.push_back({{"a", p.a},
+                             {"b", p.b},
+                             {"share", p.difference.share},
+                             {"stated_share", p.stated_share},
+                             {"mean_levels", p.difference.mean_levels},
+                             {"largest_levels", p.difference.largest_levels},
+                             {"kept", p.holds()}});
+        for (const Panel& p : plate.panels)
+            if (p.error)
+                panels.push_back({{"name", p.name},
+                                  {"mean_levels", p.error->mean_levels},
+                                  {"largest_levels", p.error->largest_levels},
+                                  {"beyond_scale", p.error->beyond(heat_scale_levels)},
+                                  {"covered_by_both", p.error->covered_by_both},
+                                  {"covered_by_one", p.error->covered_by_one_alone}});
+        json["pictures"].push_back({{"file", plate.file}, {"pairs", pairs}, {"against_reference", panels}});
+    }
+    json["warnings"] = Json::array();
     return finished(json);
 }
 

@@ -6,6 +6,7 @@
 
 #include "host_sim/cli/options.hpp"
 #include "host_sim/engine/model_scene.hpp"
+#include "host_sim/gallery/plate.hpp"
 #include "host_sim/report/compare.hpp"
 #include "host_sim/report/survey.hpp"
 #include "host_sim/scene_file/loaded_scene.hpp"
@@ -23,5 +24,9 @@ std::string bake_json(const BakeOptions& options, const BakedModel& baked);
 std::string bake_json(const BakeOptions& options, const LoadedScene& scene);
 
 std::string info_json(const Survey& survey, const std::vector<std::string>& warnings);
+
+std::string materials_json(const MaterialsOptions& options);
+
+std::string gallery_json(const std::vector<Plate>& plates);
 
 }  // namespace shade16::host

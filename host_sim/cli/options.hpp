@@ -63,6 +63,20 @@ struct PreviewOptions {
     int frames = 0;  // 0: until somebody ends it
 };
 
+struct MaterialsOptions {
+    std::string output{};  // empty: the table as text
+    std::string tier = "mediump";
+    std::optional<Shading> shading{};
+    Viewport size{96, 96};  // of one sphere's picture
+    bool quiet = false, json = false;
+    std::set<std::string> given{};  // as in RenderOptions
+};
+
+struct GalleryOptions {
+    std::string assets{}, output{};  // directories
+    bool quiet = false, json = false;
+};
+
 struct InfoOptions {
     std::string model{};
     TargetFormat target{};

@@ -116,6 +116,12 @@ std::string dither_of(const std::string& word) {
     return word;
 }
 
+std::string picture_of(const std::string& path) {
+    if (!has_ending(path, ".png"))
+        throw input_error("--output {}: is no name of a picture; expected one that ends in .png.", path);
+    return path;
+}
+
 OutputKind kind_of(const std::string& path) {
     if (path.empty()) throw input_error("--output: the name is empty; expected one such as frame.png.");
     if (is_standard_output(path) || has_ending(path, ".y4m")) return OutputKind::y4m;

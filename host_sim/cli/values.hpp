@@ -27,6 +27,9 @@ std::string tier_of(const std::string& word);
 std::string format_of(const std::string& word);
 std::string dither_of(const std::string& word);
 
+/// The name of a PNG file, as it is.
+std::string picture_of(const std::string& path);
+
 /// From the ending of the path; `-` is Y4M.
 OutputKind kind_of(const std::string& path);
 

@@ -20,6 +20,7 @@ void add_objects(Survey& s, const Scene& scene, const std::vector<std::string>& 
         s.objects.push_back({name, mesh.positions.count, mesh.triangles.count, mesh.convex});
         s.vertices += mesh.positions.count;
         s.triangles += mesh.triangles.count;
+        s.translucent_objects += scene.objects[i].material.alpha != 1_unorm;
     }
 }
 

@@ -31,6 +31,7 @@ struct Survey {
     std::vector<SurveyedObject> objects{};
     std::size_t vertices = 0, triangles = 0, materials = 0, lights = 0;
     glm::dvec3 low{}, high{};  // of all objects, as the scene's own poses place them
+    std::size_t translucent_objects = 0;  // whose alpha is below 1: kept, and not drawn
     Needs needs{};
     std::size_t picture_bytes = 0;
     std::size_t mesh_bytes = 0;
