@@ -22,13 +22,15 @@ std::string figures_text(const Plate& plate) {
         text += fmt::format("| {} / {} | {:.1f} % | {:.1f} % | {:.1f} levels | {} levels |\n", p.a, p.b, 100 * p.difference.share,
                             100 * p.stated_share, p.difference.mean_levels, p.difference.largest_levels);
     if (std::ranges::none_of(plate.panels, [](const Panel& p) { return p.error.has_value(); })) return text + "\n";
-    text += fmt::format("\n| against double precision | mean | largest | beyond {:.2f} levels | one engine alone |\n|---|---|---|---|---|\n",
-                        heat_scale_levels);
+    text += fmt::format(
+        "\n| against double precision | mean | largest | beyond {:.2f} levels | beyond {:.1f} levels | one engine alone |\n"
+        "|---|---|---|---|---|---|\n",
+        heat_scale_levels, half_code_levels);
     for (const Panel& p : plate.panels)
         if (p.error)
-            text += fmt::format("| {} | {:.3f} levels | {:.2f} levels | {} of {} pixels | {} |\n", p.name, p.error->mean_levels,
+            text += fmt::format("| {} | {:.3f} levels | {:.2f} levels | {} of {} pixels | {} | {} |\n", p.name, p.error->mean_levels,
                                 p.error->largest_levels, p.error->beyond(heat_scale_levels), p.error->covered_by_both,
-                                p.error->covered_by_one_alone);
+                                p.error->beyond(half_code_levels), p.error->covered_by_one_alone);
     return text + "\n";
 }
 

@@ -201,6 +201,7 @@ std::string gallery_json(const std::vector<Plate>& plates) {
                                   {"mean_levels", p.error->mean_levels},
                                   {"largest_levels", p.error->largest_levels},
                                   {"beyond_scale", p.error->beyond(heat_scale_levels)},
+                                  {"beyond_half_a_code_of_rgb565", p.error->beyond(half_code_levels)},
                                   {"covered_by_both", p.error->covered_by_both},
                                   {"covered_by_one", p.error->covered_by_one_alone}});
         json["pictures"].push_back({{"file", plate.file}, {"pairs", pairs}, {"against_reference", panels}});

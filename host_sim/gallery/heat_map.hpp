@@ -9,6 +9,9 @@ namespace shade16::host {
 /// The end of every scale, and what it is: mediump promises no more of a vertex.
 inline constexpr double heat_scale_levels = mediump::promise.to_exponent_128.micro / 1e6;
 
+/// What RGB565 rounds by at most, half a code of red and blue.
+inline constexpr double half_code_levels = 255.0 / 31 / 2;
+
 /// White is at or beyond the end; blue is what only one of both engines drew.
 Image heat_map(const ReferenceDifference& difference);
 
