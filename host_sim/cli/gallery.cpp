@@ -17,20 +17,25 @@ namespace {
 std::string figures_text(const Plate& plate) {
     std::string text = plate.file + "\n";
     if (!plate.pairs.empty())
-        text += "\n| beside each other | pixels that differ | at least | mean of those | largest |\n|---|---|---|---|---|\n";
+        text +=
+            "\n| beside each other | pixels that differ | at least | mean of those | largest "
+            "|\n|---|---|---|---|---|\n";
     for (const Pair& p : plate.pairs)
-        text += fmt::format("| {} / {} | {:.1f} % | {:.1f} % | {:.1f} levels | {} levels |\n", p.a, p.b, 100 * p.difference.share,
-                            100 * p.stated_share, p.difference.mean_levels, p.difference.largest_levels);
+        text += fmt::format("| {} / {} | {:.1f} % | {:.1f} % | {:.1f} levels | {} levels |\n", p.a, p.b,
+                            100 * p.difference.share, 100 * p.stated_share, p.difference.mean_levels,
+                            p.difference.largest_levels);
     if (std::ranges::none_of(plate.panels, [](const Panel& p) { return p.error.has_value(); })) return text + "\n";
     text += fmt::format(
-        "\n| against double precision | mean | largest | beyond {:.2f} levels | beyond {:.1f} levels | one engine alone |\n"
+        "\n| against double precision | mean | largest | beyond {:.2f} levels | beyond {:.1f} levels | one engine "
+        "alone |\n"
         "|---|---|---|---|---|---|\n",
         heat_scale_levels, half_code_levels);
     for (const Panel& p : plate.panels)
         if (p.error)
-            text += fmt::format("| {} | {:.3f} levels | {:.2f} levels | {} of {} pixels | {} | {} |\n", p.name, p.error->mean_levels,
-                                p.error->largest_levels, p.error->beyond(heat_scale_levels), p.error->covered_by_both,
-                                p.error->beyond(half_code_levels), p.error->covered_by_one_alone);
+            text +=
+                fmt::format("| {} | {:.3f} levels | {:.2f} levels | {} of {} pixels | {} | {} |\n", p.name,
+                            p.error->mean_levels, p.error->largest_levels, p.error->beyond(heat_scale_levels),
+                            p.error->covered_by_both, p.error->beyond(half_code_levels), p.error->covered_by_one_alone);
     return text + "\n";
 }
 
@@ -54,8 +59,10 @@ ExitCode gallery(const GalleryOptions& o) {
         text += figures_text(plate);
         holds = holds && std::ranges::all_of(plate.pairs, &Pair::holds);
     }
-    if (o.json) print(gallery_json(plates));
-    else if (!o.quiet) print(text);
+    if (o.json)
+        print(gallery_json(plates));
+    else if (!o.quiet)
+        print(text);
     return holds ? ExitCode::ok : ExitCode::check;
 }
 

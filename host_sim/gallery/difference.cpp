@@ -84,11 +84,12 @@ void ReferenceDifference::add(const ReferenceDifference& other) {
     levels.insert(levels.end(), other.levels.begin(), other.levels.end());
 }
 
-ReferenceDifference difference_from_reference(const AnimatedScene& scene, Angle elapsed, Viewport viewport, Component component,
-                                              bool is_gray) {
+ReferenceDifference difference_from_reference(const AnimatedScene& scene, Angle elapsed, Viewport viewport,
+                                              Component component, bool is_gray) {
     const std::vector<Pose> poses = scene.poses(elapsed);
     const Frame frame{.camera = nullptr, .lights = nullptr, .poses = poses.data(), .component = component};
-    return is_gray ? measured<UnroundedGray<8>>(scene, frame, viewport) : measured<UnroundedRgb888>(scene, frame, viewport);
+    return is_gray ? measured<UnroundedGray<8>>(scene, frame, viewport)
+                   : measured<UnroundedRgb888>(scene, frame, viewport);
 }
 
 }  // namespace shade16::host

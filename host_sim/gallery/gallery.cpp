@@ -82,8 +82,9 @@ Plate dithering(const Studio& studio) {
     const std::string formats[] = {Rgb565::name, Gray4::name, Mono1::name};
     for (const std::string dither : {"none", "8x8"})
         for (const std::string& format : formats)
-            plate.panels.push_back(studio.panel(format + (dither == "none" ? "" : ", dithered " + dither), scene,
-                                                {.target = {format, dither}, .scale = 2, .has_error = dither != "none"}));
+            plate.panels.push_back(
+                studio.panel(format + (dither == "none" ? "" : ", dithered " + dither), scene,
+                             {.target = {format, dither}, .scale = 2, .has_error = dither != "none"}));
     plate.add_pair("rgb565", "rgb565, dithered 8x8", 0.46);
     plate.add_pair("gray4", "gray4, dithered 8x8", 0.21);
     plate.add_pair("mono1", "mono1, dithered 8x8", 0.25);
@@ -92,15 +93,18 @@ Plate dithering(const Studio& studio) {
 
 Plate scenes(const Studio& studio) {
     Plate plate{"scenes.png", 2, {}, {}, {}};
-    plate.panels = {studio.panel("lamps.toml", "scenes/lamps.toml", {.size = Viewport{320, 240}}), studio.panel("textured_cube.toml", "scenes/textured_cube.toml")};
+    plate.panels = {studio.panel("lamps.toml", "scenes/lamps.toml", {.size = Viewport{320, 240}}),
+                    studio.panel("textured_cube.toml", "scenes/textured_cube.toml")};
     return plate;
 }
 
 Plate oled(const Studio& studio) {
     Plate plate{"oled.png", 2, {}, {}, {}};
     const std::string scene = "scenes/oled.toml", format = Gray4::name;
-    plate.panels = {studio.panel("oled.toml, gray4 undithered", scene, {.target = {format, "none"}, .elapsed = 90_deg, .scale = 2}),
-                    studio.panel("oled.toml, gray4 dithered 4x4", scene, {.target = {format, "4x4"}, .elapsed = 90_deg, .scale = 2, .has_error = false})};
+    plate.panels = {
+        studio.panel("oled.toml, gray4 undithered", scene, {.target = {format, "none"}, .elapsed = 90_deg, .scale = 2}),
+        studio.panel("oled.toml, gray4 dithered 4x4", scene,
+                     {.target = {format, "4x4"}, .elapsed = 90_deg, .scale = 2, .has_error = false})};
     plate.add_pair("oled.toml, gray4 undithered", "oled.toml, gray4 dithered 4x4", 0.042);
     return plate;
 }
@@ -119,7 +123,8 @@ void add_materials(std::vector<Plate>& plates) {
 std::vector<Plate> gallery_plates(const std::string& assets) {
     const Studio studio(assets);
     std::vector<Plate> plates;
-    for (const auto draw : {shadings, components, exponents, lambert_and_phong, mach_bands, normals, dithering, scenes, oled})
+    for (const auto draw :
+         {shadings, components, exponents, lambert_and_phong, mach_bands, normals, dithering, scenes, oled})
         plates.push_back(draw(studio)), compose(plates.back());
     add_materials(plates);
     return plates;

@@ -28,7 +28,8 @@ Image heat_map(const ReferenceDifference& d) {
     Canvas canvas(d.width, d.height);
     for (int y = 0; y < d.height; ++y)
         for (int x = 0; x < d.width; ++x) {
-            const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(d.width) + static_cast<std::size_t>(x);
+            const auto i =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(d.width) + static_cast<std::size_t>(x);
             canvas.dot(x, y, d.covered_by_one[i] ? covered_by_one_ink : heat(step_of(d.levels[i])));
         }
     return canvas.image();

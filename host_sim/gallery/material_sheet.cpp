@@ -19,8 +19,11 @@ static_assert(columns * rows == sizeof classic_materials / sizeof classic_materi
 class Swatch final : public AnimatedScene {
 public:
     explicit Swatch(const Material& material) : object_{sphere<48, 24>.mesh(), material, {}} {
-        scene_ = {.camera = {.eye = {0, 0, 4}, .projection = Projection::orthographic, .view_height = 2.2_q16,
-                             .near_distance = 2, .far_distance = 6},
+        scene_ = {.camera = {.eye = {0, 0, 4},
+                             .projection = Projection::orthographic,
+                             .view_height = 2.2_q16,
+                             .near_distance = 2,
+                             .far_distance = 6},
                   .lights = lights,
                   .objects = {&object_, 1},
                   .background = rgb(0x101820)};

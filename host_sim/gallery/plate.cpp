@@ -67,10 +67,12 @@ void compose(Plate& plate) {
     }
     const Image scale = heat_scale();
     const bool has_scale = std::ranges::any_of(plate.panels, [](const Panel& p) { return p.error.has_value(); });
-    const int width = std::max(plate.columns * (cell_width + margin_px) + margin_px, has_scale ? scale.width + 2 * margin_px : 0);
+    const int width =
+        std::max(plate.columns * (cell_width + margin_px) + margin_px, has_scale ? scale.width + 2 * margin_px : 0);
     Canvas canvas(width, height + (has_scale ? line_px + 2 : 0));
     for (std::size_t i = 0; i < plate.panels.size(); ++i)
-        put_panel(canvas, plate.panels[i], margin_px + static_cast<int>(i % columns) * (cell_width + margin_px), tops[i / columns]);
+        put_panel(canvas, plate.panels[i], margin_px + static_cast<int>(i % columns) * (cell_width + margin_px),
+                  tops[i / columns]);
     if (has_scale) canvas.put(scale, margin_px, height);
     plate.image = canvas.image();
 }

@@ -12,9 +12,9 @@ namespace shade16::host {
 struct Panel {
     std::string name{};
     Image image{};
-    std::optional<Image> profile{};                 // below it
-    std::optional<ReferenceDifference> error{};     // and its heat map below that
-    int error_scale = 1;                            // whose pixels are squares of so many
+    std::optional<Image> profile{};              // below it
+    std::optional<ReferenceDifference> error{};  // and its heat map below that
+    int error_scale = 1;                         // whose pixels are squares of so many
 };
 
 /// What a pair of panels must show: that they differ in at least so large a share of their pixels.

@@ -28,8 +28,13 @@ Panel Studio::panel(const std::string& name, const std::string& scene, const Var
     const Viewport size = v.size.value_or(description.output.size);
     const std::string tier = mediump::name;  // whose promise is the heat maps' scale
     const LoadedScene loaded(std::move(description), v.shading ? &*v.shading : nullptr);
-    Panel panel{name, magnified(fixed_turntable(loaded, size, tier, v.target, 0, v.component)->draw(v.elapsed), v.scale), {}, {}, v.scale};
-    if (v.has_error) panel.error = difference_from_reference(loaded, v.elapsed, size, v.component, is_gray(v.target.format));
+    Panel panel{name,
+                magnified(fixed_turntable(loaded, size, tier, v.target, 0, v.component)->draw(v.elapsed), v.scale),
+                {},
+                {},
+                v.scale};
+    if (v.has_error)
+        panel.error = difference_from_reference(loaded, v.elapsed, size, v.component, is_gray(v.target.format));
     return panel;
 }
 

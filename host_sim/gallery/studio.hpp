@@ -14,13 +14,13 @@ struct Variation {
     std::optional<Shading> shading{};
     std::optional<NormalPath> normals{};  // of every material, as the next two
     std::optional<int> shininess{};
-    bool matt = false;                    // no specular light
+    bool matt = false;  // no specular light
     Component component = Component::all;
     TargetFormat target{Rgb888::name, "none"};
-    Angle elapsed{};                      // of the animation
-    std::optional<Viewport> size{};       // the scene's own without it
-    int scale = 1;                        // pixels are squares of so many
-    bool has_error = true;                // with a heat map
+    Angle elapsed{};                 // of the animation
+    std::optional<Viewport> size{};  // the scene's own without it
+    int scale = 1;                   // pixels are squares of so many
+    bool has_error = true;           // with a heat map
 };
 
 class Studio {

@@ -35,10 +35,12 @@ TEST(CliMaterials, prints_a_table_of_all) {
     EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 26);
     EXPECT_THAT(ran.out, HasSubstr("\nruby            0.1745 0.0117 0.0117   0.6142 0.0414 0.0414   "
                                    "0.7278 0.6270 0.6270      76.800  0.550\n"));
-    for (const NamedMaterial& row : classic_materials) EXPECT_THAT(ran.out, HasSubstr(std::string("\n") + row.name + " "));
+    for (const NamedMaterial& row : classic_materials)
+        EXPECT_THAT(ran.out, HasSubstr(std::string("\n") + row.name + " "));
     EXPECT_THAT(ran.out, EndsWith("alpha is kept and not drawn.\n"));
     std::set<std::size_t> widths;  // aligned: all rows are as long as the first
-    for (std::size_t at = 0, end; (end = ran.out.find('\n', at)) != std::string::npos; at = end + 1) widths.insert(end - at);
+    for (std::size_t at = 0, end; (end = ran.out.find('\n', at)) != std::string::npos; at = end + 1)
+        widths.insert(end - at);
     EXPECT_EQ(widths.size(), 2u) << "the rows and the sentence below them";
 }
 
@@ -79,7 +81,8 @@ TEST(CliMaterials, draws_a_sheet_with_a_sphere_a_material_and_its_name) {
             for (int y = 0; y < glyph_rows_px; ++y) {
                 const int column = x % glyph_pitch_px;
                 const char letter = name[static_cast<std::size_t>(x / glyph_pitch_px)];
-                const bool is_ink = column < glyph_width_px && (glyph_of(letter)[static_cast<std::size_t>(column)] >> y & 1);
+                const bool is_ink =
+                    column < glyph_width_px && (glyph_of(letter)[static_cast<std::size_t>(column)] >> y & 1);
                 ASSERT_EQ(at(begin + x, top + 99 + y) == letters, is_ink) << name << " " << x << " " << y;
             }
     }
@@ -109,7 +112,8 @@ TEST(CliMaterials, what_is_wrong_is_refused) {
     expect_refused("-o a.png --size 2000x10", "--size 2000x10: makes a sheet of 12056 pixels; expected at most 8192.");
     expect_refused("-o a.png --size 0x10", "--size 0x10: expected WIDTHxHEIGHT");
     expect_refused("-o a.png --tier midiump", "did you mean mediump?");
-    expect_refused("--shading phong", "--shading: the table has none; expected -o and the name of a picture beside it.");
+    expect_refused("--shading phong",
+                   "--shading: the table has none; expected -o and the name of a picture beside it.");
     expect_refused("--size 20x20", "--size: the table has none");
     expect_refused("brass", "brass: is one word too many; expected options alone; see 'shade16 materials --help'.");
 }
@@ -122,7 +126,8 @@ TEST(CliMaterials, a_sheet_that_can_not_be_written_is_the_machines_fault) {
 
 TEST(CliMaterials, info_says_that_alpha_is_not_drawn) {
     const std::string scene = (source_directory() / "assets/scenes/everything.toml").string();
-    EXPECT_THAT(shade16_program("info " + scene).out, HasSubstr("  4 objects have alpha below 1: alpha is kept and not drawn\n"));
+    EXPECT_THAT(shade16_program("info " + scene).out,
+                HasSubstr("  4 objects have alpha below 1: alpha is kept and not drawn\n"));
     EXPECT_EQ(json::parse(shade16_program("info --json " + scene).out)["objects_with_alpha_below_1"], 4);
     EXPECT_THAT(shade16_program("info " + teapot()).out, testing::Not(HasSubstr("alpha")));
 }

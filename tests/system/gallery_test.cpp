@@ -52,7 +52,8 @@ TEST(Gallery, the_committed_pictures_are_what_the_program_draws) {
         const std::filesystem::path path = source_directory() / "docs/gallery" / name;
         const Image was = read_png(path.string()), is = read_png(today().scratch.path(name));
         EXPECT_EQ(was.width, is.width);
-        EXPECT_TRUE(was.rgb == is.rgb) << "docs/gallery/" << name << " is stale: run scripts/gallery.sh, and look at it.";
+        EXPECT_TRUE(was.rgb == is.rgb) << "docs/gallery/" << name
+                                       << " is stale: run scripts/gallery.sh, and look at it.";
         bytes += std::filesystem::file_size(path);
     }
     EXPECT_LE(bytes, 1'500'000u);
@@ -73,7 +74,8 @@ TEST(Gallery, the_page_shows_every_picture_and_quotes_the_figures_of_today) {
 
 TEST(Gallery, pictures_beside_each_other_differ_in_the_share_that_is_stated) {
     const ScratchDirectory scratch;
-    const Ran ran = shade16_program("gallery --json '" + (source_directory() / "assets").string() + "' -o " + scratch.path(""));
+    const Ran ran =
+        shade16_program("gallery --json '" + (source_directory() / "assets").string() + "' -o " + scratch.path(""));
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
     const json object = json::parse(ran.out);
     int pairs = 0;
@@ -81,7 +83,8 @@ TEST(Gallery, pictures_beside_each_other_differ_in_the_share_that_is_stated) {
         for (const json& pair : picture["pairs"]) {
             EXPECT_GE(pair["share"], pair["stated_share"]) << pair;
             EXPECT_GT(pair["stated_share"], 0) << "no picture could differ less: " << pair;
-            EXPECT_GE(pair["stated_share"].get<double>(), 0.7 * pair["share"].get<double>()) << "says too little: " << pair;
+            EXPECT_GE(pair["stated_share"].get<double>(), 0.7 * pair["share"].get<double>())
+                << "says too little: " << pair;
             ++pairs;
         }
     EXPECT_GE(pairs, 16);
@@ -126,7 +129,10 @@ TEST(Gallery, a_pair_that_differs_too_little_does_not_hold) {
 }
 
 TEST(Gallery, heat_maps_run_from_black_to_white_and_show_coverage_in_blue) {
-    ReferenceDifference d{.width = 4, .height = 1, .levels = {0, heat_scale_levels / 3, heat_scale_levels * 1.01, 0}, .covered_by_one = {false, false, false, true}};
+    ReferenceDifference d{.width = 4,
+                          .height = 1,
+                          .levels = {0, heat_scale_levels / 3, heat_scale_levels * 1.01, 0},
+                          .covered_by_one = {false, false, false, true}};
     const std::vector<uint8_t> rgb = heat_map(d).rgb;
     EXPECT_EQ(std::vector<uint8_t>(rgb.begin(), rgb.begin() + 3), (std::vector<uint8_t>{0, 0, 0}));
     EXPECT_EQ(std::vector<uint8_t>(rgb.begin() + 3, rgb.begin() + 6), (std::vector<uint8_t>{255, 0, 0}));
