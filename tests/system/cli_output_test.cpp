@@ -55,6 +55,27 @@ TEST(CliOutput, ffmpeg_reads_the_y4m_and_sees_the_colours_of_the_png) {
     EXPECT_LE(largest, 2);
 }
 
+TEST(CliOutput, the_look_of_all_materials_changes_the_picture) {
+    const std::string plain = rendered(".png", ""), phong = rendered(".png", "--shading phong");
+    EXPECT_NE(phong, plain);
+    EXPECT_NE(rendered(".png", "--shading phong --normals spherical"), phong);
+    EXPECT_NE(rendered(".png", "--reflection phong"), plain);
+    EXPECT_EQ(rendered(".png", "--reflection blinn_phong --normals linear --light-table none"), plain) << "the teapot's own";
+    const auto textured = [](const std::string& options) {
+        const ScratchDirectory scratch;
+        EXPECT_EQ(shade16_program("render '" + (source_directory() / "assets/scenes/textured_cube.toml").string() + "' --frames 1 --size 96x72 -o " + scratch.path("a.png") + " " + options).exit_code, 0);
+        return scratch.read("a.png");
+    };
+    EXPECT_NE(textured("--filter nearest"), textured("--filter bilinear"));
+    EXPECT_NE(textured("--mapping affine"), textured("--mapping perspective"));
+    const auto tables = [](const std::string& options) {
+        const ScratchDirectory scratch;
+        EXPECT_EQ(shade16_program("render '" + (source_directory() / "assets/scenes/tables.toml").string() + "' --frames 1 --size 96x40 -o " + scratch.path("a.png") + " " + options).exit_code, 0);
+        return scratch.read("a.png");
+    };
+    EXPECT_NE(tables("--light-table none"), tables("--light-table nearest"));
+}
+
 TEST(CliOutput, standard_output_is_the_file_and_nothing_else) {
     const Ran ran = shade16_program("render " + teapot() + " --size 96x80 --frames 3 --verbose -o -");
     EXPECT_EQ(ran.exit_code, 0);

@@ -19,7 +19,7 @@ protected:
     using typename Base::Corners;
     using Base::work_;
 
-    static constexpr bool is_phong(const Material& m) { return N.phong && (!(N.flat || N.gouraud) || detail::is_phong(m)); }
+    static constexpr bool is_phong(const Material& m) { return N.phong && (!(N.flat || N.gouraud || N.texture) || detail::is_phong(m)); }
     /// Its pixels are made one by one, from samples.
     static constexpr bool is_by_pixel(const Object& o) { return is_phong(o.material) || (N.texture && detail::has_texture(o)); }
 

@@ -69,10 +69,12 @@ private:
         if (!triangle.shows(viewport_.width)) return;
         if constexpr (N.phong || N.texture)
             if (is_by_pixel(object)) return draw_by_pixel(band, triangle, object, state, face, v);
-        FlatCorners flat;
-        const Corners colored = color_corners(object, state, face, v, flat);
-        if constexpr (N.flat) triangle.a = colored.a, triangle.b = colored.b, triangle.c = colored.c;
-        draw_triangle<Tier::stepping, N.depth>(triangle, band);
+        if constexpr (N.flat || N.gouraud) {
+            FlatCorners flat;
+            const Corners colored = color_corners(object, state, face, v, flat);
+            if constexpr (N.flat) triangle.a = colored.a, triangle.b = colored.b, triangle.c = colored.c;
+            draw_triangle<Tier::stepping, N.depth>(triangle, band);
+        }
     }
 
     template <PixelFormat Format>
@@ -100,11 +102,13 @@ private:
         if (!shows) return;
         if constexpr (N.phong || N.texture)
             if (by_pixel) return draw_fan_by_pixel(band, object, state, face, v);
-        FlatCorners flat;
-        const Corners colored = color_corners(object, state, face, v, flat);
-        for_each_of_fan(band, object, state, face, colored, false, [&](const FacingTriangle<Tier>& triangle, const ClipPolygon<Tier>&, int) {
-            draw_triangle<Tier::stepping, N.depth>(triangle, band);
-        });
+        if constexpr (N.flat || N.gouraud) {
+            FlatCorners flat;
+            const Corners colored = color_corners(object, state, face, v, flat);
+            for_each_of_fan(band, object, state, face, colored, false, [&](const FacingTriangle<Tier>& triangle, const ClipPolygon<Tier>&, int) {
+                draw_triangle<Tier::stepping, N.depth>(triangle, band);
+            });
+        }
     }
     template <PixelFormat Format>
     constexpr void draw_fan_by_pixel(const Band<Format>& band, const Object& object, const ObjectState<Tier>& state, uint32_t face, Corners v) {

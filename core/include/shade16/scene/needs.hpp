@@ -93,7 +93,7 @@ constexpr Needs needs_of(const Object& object, View<Light> lights) {
     n.flat = is_flat(m);
     n.phong = is_phong(m);
     n.spherical = n.phong && m.normal_path == NormalPath::spherical;
-    n.gouraud = !n.flat && !n.phong;
+    n.gouraud = !n.flat && !n.phong && !has_texture(object);  // textured light is interpolated otherwise
     n.vertex_colors = !object.mesh.colors.empty();
     n.stretch = object.pose.scale.x != object.pose.scale.y || object.pose.scale.y != object.pose.scale.z;
     n.texture = has_texture(object);
