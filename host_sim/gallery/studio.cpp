@@ -27,7 +27,7 @@ Panel Studio::panel(const std::string& name, const std::string& scene, const Var
     vary(description, v);
     const Viewport size = v.size.value_or(description.output.size);
     const std::string tier = mediump::name;  // whose promise is the heat maps' scale
-    const LoadedScene loaded(std::move(description), v.shading ? &*v.shading : nullptr);
+    const LoadedScene loaded(std::move(description), Look{.shading = v.shading});
     Panel panel{name,
                 magnified(fixed_turntable(loaded, size, tier, v.target, 0, v.component)->draw(v.elapsed), v.scale),
                 {},
