@@ -1,4 +1,7 @@
 """What each term adds to a scene, on the Cortex-M3: instructions of a frame, and bytes. And what code belongs to which term."""
+import re
+from functools import lru_cache
+
 from commands import PROJECT, run
 from counting import FrameCount
 from image import Image
@@ -81,17 +84,18 @@ _CODE = (
 
 def foreign_code(image, needed):
     """Sentences about code of terms that a scene does not need."""
+    frames = {frame for chain in image.chains.values() for frame in chain}
     complaints = []
     for terms, files, functions in _CODE:
         if terms & needed:
             continue
-        for chain in image.chains.values():
-            for frame in chain:
-                names = set(frame.function.replace("<", "::").replace("(", "::").split("::"))
-                if frame.file in files or names & set(functions):
-                    complaints.append(f"{image.path} has code of {' or '.join(sorted(terms))}, which its scene does not need: {frame.function} of {frame.file}.")
-                    break
-            else:
-                continue
-            break
+        found = next((f for f in sorted(frames) if f.file in files or _names(f.function) & set(functions)), None)
+        if found:
+            complaints.append(f"{image.path} has code of {' or '.join(sorted(terms))}, which its scene does not need: "
+                              f"{found.function} of {found.file}.")
     return complaints
+
+
+@lru_cache(maxsize=None)
+def _names(function):
+    return set(re.split(r"[<(]|::", function))

@@ -154,7 +154,7 @@ TEST(CliRefusal, words_nobody_knows) {
         expect_usage_refused(std::string("--crease ") + angle, std::string("--crease ") + angle + ": expected an angle from 0 to 180 degrees, such as 60.");
     expect_usage_refused("--component spekular", "--component spekular: expected all, ambient, diffuse or specular; did you mean specular?");
     expect_usage_refused("--normals sperical", "--normals sperical: expected linear or spherical; did you mean spherical?");
-    expect_usage_refused("--reflection fong", "--reflection fong: expected blinn_phong or phong; did you mean phong?");
+    expect_usage_refused("--reflection phonk", "--reflection phonk: expected blinn_phong or phong; did you mean phong?");
     expect_usage_refused("--light-table big", "--light-table big: expected none, nearest or bilinear.");
     expect_usage_refused("--filter bilinea", "--filter bilinea: expected nearest or bilinear; did you mean bilinear?");
     expect_usage_refused("--mapping flat", "--mapping flat: expected affine or perspective.");
