@@ -27,7 +27,7 @@ inline std::size_t picture_bytes(const Scene& scene) {
     const auto add = [&](const auto* map) {
         if (map != nullptr) pictures[map->texels.first] = map->texels.count * sizeof(*map->texels.first);
     };
-    for (const Object& object : scene.objects) add(object.material.texture), add(object.material.bump);
+    for (const Object& object : scene.objects) add(object.material.texture.at), add(object.material.bump.at);
     std::size_t sum = 0;
     for (const auto& [texels, bytes] : pictures) sum += bytes;
     return sum;

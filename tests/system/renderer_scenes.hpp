@@ -42,7 +42,7 @@ inline constexpr uint16_t checks[] = {0xF800, 0x07E0, 0x001F, 0xFFFF, 0x8410, 0x
 inline constexpr Slope8 bumps[] = {{40, 0}, {0, -90}, {-127, 30}, {12, 127}};
 inline constexpr Texture chequers{checks, 2, 1};
 inline constexpr SlopeMap relief{bumps, 1, 1, 6};
-constexpr Material textured(Material m, Filter filter, Mapping mapping, const SlopeMap* bump = nullptr) {
+constexpr Material textured(Material m, Filter filter, Mapping mapping, MapPointer<SlopeMap> bump = {}) {
     m.texture = &chequers, m.bump = bump;
     m.filter = filter, m.mapping = mapping;
     return m;

@@ -48,7 +48,7 @@ inline bool same_pictures(const Material& a, const Material& b) {
         if (x == nullptr || y == nullptr) return x == y;
         return x->width_log2 == y->width_log2 && std::equal(x->texels.begin(), x->texels.end(), y->texels.begin(), y->texels.end());
     };
-    return same_map(a.texture, b.texture) && same_map(a.bump, b.bump);
+    return same_map(a.texture.at, b.texture.at) && same_map(a.bump.at, b.bump.at);
 }
 inline Material without_pictures(Material m) {
     m.texture = nullptr, m.bump = nullptr;

@@ -92,7 +92,7 @@ struct TextureLookup {
 
     constexpr TextureLookup() = default;
     constexpr TextureLookup(const Object& o, bool perspective)
-        : texture(detail::has_texture(o) ? o.material.texture : nullptr), bump(detail::has_bump(o) ? o.material.bump : nullptr),
+        : texture(detail::has_texture(o) ? o.material.texture.at : nullptr), bump(detail::has_bump(o) ? o.material.bump.at : nullptr),
           bilinear(o.material.filter == Filter::bilinear),
           by_depth(perspective && o.material.mapping == Mapping::perspective && (texture != nullptr || bump != nullptr)),
           bits(13 + o.mesh.texcoord_bits) {}

@@ -43,8 +43,8 @@ struct Material {
     Shading shading = Shading::gouraud;
     NormalPath normal_path = NormalPath::linear;  // with Shading::phong
     LightTable light_table = LightTable::none;    // with Shading::phong
-    const Texture* texture = nullptr;  // a factor of ambient and diffuse light
-    const SlopeMap* bump = nullptr;    // turns the normals of Shading::phong
+    MapPointer<Texture> texture{};     // a factor of ambient and diffuse light
+    MapPointer<SlopeMap> bump{};       // turns the normals of Shading::phong
     Filter filter = Filter::nearest;   // of both
     Mapping mapping = Mapping::affine;
     Unorm16 alpha{Unorm16::one};  // kept for whoever asks; surfaces are drawn opaque

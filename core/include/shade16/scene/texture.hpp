@@ -42,4 +42,21 @@ struct SlopeMap {
     uint8_t fraction_bits = 7;  // of a slope, 4 to 11: slopes reach 127 * 2^-fraction_bits
 };
 
+/// Where a map lies, if there is one. It remembers whether it was given, because a compiler that reckons with objects at address 0
+/// (for AVR, or under a sanitizer) takes the question whether `&map` is null for no constant.
+template <class Map>
+struct MapPointer {
+    const Map* at = nullptr;
+    bool is_given = false;
+
+    constexpr MapPointer() = default;
+    constexpr MapPointer(decltype(nullptr)) {}
+    constexpr MapPointer(const Map* map) : at(map), is_given((__builtin_is_constant_evaluated() && !__builtin_constant_p(map != nullptr)) || map != nullptr) {}
+
+    constexpr const Map& operator*() const { return *at; }
+    constexpr const Map* operator->() const { return at; }
+    friend constexpr bool operator==(const MapPointer& a, decltype(nullptr)) { return !a.is_given; }
+    friend constexpr bool operator==(const MapPointer&, const MapPointer&) = default;
+};
+
 }  // namespace shade16
