@@ -56,6 +56,11 @@ class Image:
                 by_address[address] = (size, name)
         return [(first, first + size, name) for first, (size, name) in sorted(by_address.items())]
 
+    @cached_property
+    def objects(self):
+        """The mangled names of what is no code: tables, meshes, variables."""
+        return sorted({name for name, _, size, kind in self._symbols if kind == "OBJECT" and size > 0})
+
     def section_bytes(self, name):
         listed = _run("readelf", "--sections", "--wide", self.path)
         match = re.search(rf"\] {re.escape(name)} +\S+ +\S+ +\S+ +([0-9a-f]+) ", listed)

@@ -81,9 +81,21 @@ _CODE = (
     ({"diffuse", "specular"}, set(), ("add_lights", "cosine", "make_object_light")),
 )
 
+# And tables: (terms, a part of their mangled names).
+_TABLES = (
+    ({"specular"}, "shininess_in_flash"),
+    ({"falloff", "spot_exponent"}, "middle_log_table"),
+    ({"falloff", "spot_exponent"}, "middle_exp_table"),
+)
+
+
+def rules():
+    """The terms of each rule, as foreign_code writes them."""
+    return [" or ".join(sorted(terms)) for terms, *_ in _CODE + _TABLES]
+
 
 def foreign_code(image, needed):
-    """Sentences about code of terms that a scene does not need."""
+    """Sentences about code and tables of terms that a scene does not need."""
     frames = {frame for chain in image.chains.values() for frame in chain}
     complaints = []
     for terms, files, functions in _CODE:
@@ -93,6 +105,10 @@ def foreign_code(image, needed):
         if found:
             complaints.append(f"{image.path} has code of {' or '.join(sorted(terms))}, which its scene does not need: "
                               f"{found.function} of {found.file}.")
+    for terms, part in _TABLES:
+        found = next((name for name in image.objects if part in name), None)
+        if found and not terms & needed:
+            complaints.append(f"{image.path} has code of {' or '.join(sorted(terms))}, which its scene does not need: the table {found}.")
     return complaints
 
 
