@@ -52,7 +52,7 @@ endif()
 
 # The renderer's own tests once more by themselves: the sanitizers run this label, random scenes included.
 if(TARGET system_tests)
-  add_test(NAME renderer COMMAND system_tests --gtest_filter=Renderer.*:OnePicture*)
+  add_test(NAME renderer COMMAND system_tests --gtest_filter=Renderer.*:*OnePicture*)
   set_tests_properties(renderer PROPERTIES TIMEOUT 120 LABELS raster)
 endif()
 

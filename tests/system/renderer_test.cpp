@@ -1,83 +1,12 @@
-// One picture, however it is drawn: from a scene in flash or at run time, in bands of any height, with every vertex kept
-// or replayed, by the smallest pipeline or by that of all terms.
+// What the renderer promises beyond one picture (renderer_pictures.hpp): what it lights, that nothing leaks, what may vary, and that it survives.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <memory>
 #include <random>
-#include <vector>
 
-#include "host_sim/engine/runtime_renderer.hpp"
-#include "tests/system/renderer_scenes.hpp"
+#include "tests/system/renderer_frames.hpp"
 
 namespace shade16::host {
 namespace {
-
-constexpr Viewport screen{96, 72};
-
-template <class Renderer, class Format>
-std::vector<typename Format::Pixel> frame_of(Renderer& renderer, int32_t rows = screen.height) {
-    std::vector<typename Format::Pixel> pixels(static_cast<std::size_t>(screen.width * screen.height));
-    std::vector<uint16_t> depth(static_cast<std::size_t>(screen.width * rows));
-    renderer.begin({}, screen);
-    for (int32_t y = 0; y < screen.height; y += rows)
-        renderer.draw(Band<Format>{pixels.data() + y * screen.width, depth.data(), screen.width, y, std::min(rows, screen.height - y)});
-    return pixels;
-}
-
-template <const Scene& scene, class Tier, VertexStore Store = VertexStore::keep, Needs Have = needs_of(scene), uint32_t Slots = 64>
-std::vector<Rgb565::Pixel> compiled(int32_t rows = screen.height) {
-    auto memory = std::make_unique<Workspace<scene, Tier, Store, Slots>>();
-    Renderer<scene, Tier, Store, Have> renderer(*memory);
-    return frame_of<decltype(renderer), Rgb565>(renderer, rows);
-}
-
-template <class Tier>
-std::vector<Rgb565::Pixel> at_run_time(const Scene& scene) {
-    RuntimeRenderer<Tier> renderer(scene);
-    renderer.begin({}, screen);
-    return renderer.template draw<Rgb565>();
-}
-
-template <const Scene& s>
-struct Named {
-    static constexpr const Scene& scene = s;
-};
-
-template <class S>
-class OnePicture : public testing::Test {};
-using Scenes = testing::Types<Named<torus_scene>, Named<flat_scene>, Named<cube_scene>, Named<egg_scene>, Named<map_scene>, Named<crowd_scene>, Named<inside_scene>,
-                              Named<smooth_scene>, Named<lamp_scene>, Named<round_scene>, Named<mixed_scene>, Named<clipped_scene>,
-                              Named<mirrored_scene>, Named<stage_scene>, Named<ending_scene>, Named<falling_scene>,
-                              Named<crate_scene>, Named<textured_scene>, Named<clipped_textured_scene>, Named<floor_scene>, Named<table_scene>, Named<unused_table_scene>>;
-TYPED_TEST_SUITE(OnePicture, Scenes);
-
-TYPED_TEST(OnePicture, ShowsSomething) {
-    const auto pixels = compiled<TypeParam::scene, mediump>();
-    const auto background = nearest_pixel<Rgb565>(TypeParam::scene.background);
-    EXPECT_GT(std::count_if(pixels.begin(), pixels.end(), [&](auto p) { return p != background; }), 300);
-}
-TYPED_TEST(OnePicture, CompiledInEqualsRunTime) {
-    EXPECT_EQ((compiled<TypeParam::scene, lowp>()), at_run_time<lowp>(TypeParam::scene));
-    EXPECT_EQ((compiled<TypeParam::scene, mediump>()), at_run_time<mediump>(TypeParam::scene));
-    EXPECT_EQ((compiled<TypeParam::scene, highp>()), at_run_time<highp>(TypeParam::scene));
-}
-TYPED_TEST(OnePicture, BandsOfAnyHeightEqualTheFullFrame) {
-    const auto whole = compiled<TypeParam::scene, mediump>();
-    for (const int32_t rows : {1, 2, 7, 8, 31, 71}) EXPECT_EQ((compiled<TypeParam::scene, mediump>(rows)), whole) << rows << " rows";
-    EXPECT_EQ((compiled<TypeParam::scene, highp>(7)), (compiled<TypeParam::scene, highp>()));
-}
-TYPED_TEST(OnePicture, ReplayedVerticesEqualKeptOnes) {
-    const auto whole = compiled<TypeParam::scene, mediump>();
-    EXPECT_EQ((compiled<TypeParam::scene, mediump, VertexStore::replay>()), whole);
-    EXPECT_EQ((compiled<TypeParam::scene, mediump, VertexStore::replay>(8)), whole);
-    EXPECT_EQ((compiled<TypeParam::scene, mediump, VertexStore::replay, needs_of(TypeParam::scene), 1>(8)), whole) << "one slot";
-}
-TYPED_TEST(OnePicture, MoreNeedsDrawTheSameBits) {
-    EXPECT_EQ((compiled<TypeParam::scene, mediump, VertexStore::keep, all_needs>()), (compiled<TypeParam::scene, mediump>()));
-    constexpr Needs half = needs_of(TypeParam::scene) | needs_of(torus_scene);
-    EXPECT_EQ((compiled<TypeParam::scene, mediump, VertexStore::keep, half>()), (compiled<TypeParam::scene, mediump>()));
-}
 
 TEST(Renderer, LightsOnlyTheVerticesOfVisibleTriangles) {
     auto memory = std::make_unique<Workspace<torus_scene, mediump>>();
