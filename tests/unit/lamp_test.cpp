@@ -29,19 +29,21 @@ using Tiers = ::testing::Types<lowp, mediump, highp>;
 TYPED_TEST_SUITE(Lamp, Tiers);
 
 constexpr Vec3 ahead{0, 0, 2}, down{0, 0, -1}, close{0, 0, 0.5_q16};
+constexpr Scaled very_strong = 4'000'000'000_scaled;
 
 Light lamp_at(Vec3 place, Q16 power, Q16 range = 0) {
     Light light = point_light(place);
     light.attenuation.power = power, light.range = range;
     return light;
 }
+// In place of the literals, which Clang 14 does not evaluate while it compiles a template.
 Angle degrees(double d) { return {static_cast<uint32_t>(std::llround(d / 360 * 0x1p32))}; }
 Q16 q16(double v) { return Q16::from_raw(static_cast<int32_t>(std::lround(v * 65536))); }
 
 TYPED_TEST(Lamp, FallsOffByAPowerOfTheDistance) {
     EXPECT_NEAR(this->at(lamp_at(ahead, 1)), 1 / 2.0, this->rounding());
-    EXPECT_NEAR(this->at(lamp_at(ahead, 0.5_q16)), 1 / std::sqrt(2.0), this->rounding());
-    EXPECT_NEAR(this->at(lamp_at(ahead, 1.9_q16)), std::pow(2, -1.9), this->rounding());
+    EXPECT_NEAR(this->at(lamp_at(ahead, q16(0.5))), 1 / std::sqrt(2.0), this->rounding());
+    EXPECT_NEAR(this->at(lamp_at(ahead, q16(1.9))), std::pow(2, -1.9), this->rounding());
     EXPECT_NEAR(this->at(lamp_at(ahead, 5)), 1 / 4.0, this->rounding()) << "clamped to 2";
     EXPECT_NEAR(this->at(lamp_at(ahead, -1)), 1, this->rounding()) << "negative ones count as 0";
     EXPECT_NEAR(this->at(lamp_at(close, 1)), 2, 2 * this->rounding()) << "a factor above 1";
@@ -63,13 +65,13 @@ TYPED_TEST(Lamp, FadesTowardsItsRange) {
 TYPED_TEST(Lamp, EndsExactlyAtItsRange) {
     const int whole[][4] = {{0, 0, 1, 1}, {1, 2, 2, 3}, {2, 3, 6, 7}, {4, 4, 7, 9}, {1, 4, 8, 9}, {2, 6, 9, 11}, {3, 4, 12, 13}, {2, 5, 14, 15}};
     for (const auto& w : whole)
-        for (const Q16 scale : {Q16{1}, 0.3_q16, Q16{7}})
+        for (const Q16 scale : {Q16{1}, q16(0.3), Q16{7}})
             for (int shift = 5; shift < 26; ++shift) {
                 const auto c = [shift](int n) { return Q16::from_raw(n << shift); };
                 Setting s{.material = {.diffuse = white, .specular = white}, .lights = {lamp_at({c(w[0]), c(w[1]), c(w[2])}, 0, c(w[3]))}};
                 s.mesh.fraction_bits = 14;
                 s.pose.scale = {scale, scale, scale};
-                if (shift > 18) s.lights[0].intensity = 4'000'000'000_scaled;
+                if (shift > 18) s.lights[0].intensity = very_strong;
                 ASSERT_TRUE(is_black(lit<TypeParam>(s))) << w[3] << " << " << shift;
                 s.lights[0].range = Q16::from_raw((w[3] << shift) / 4);
                 ASSERT_TRUE(is_black(lit<TypeParam>(s)));
@@ -113,7 +115,7 @@ TYPED_TEST(Lamp, IsExactlyNothingOutsideTheCone) {
         const Vec3 place{q16(distance * std::sin(tilt)), 0, q16(distance * std::cos(tilt))};
         const double beyond = outer + (i % 2 ? std::exp(uniform(std::log(1e-5), 0)) : -std::exp(uniform(std::log(1e-3), std::log(0.1))));
         const double a = tilt + beyond * std::numbers::pi / 180;
-        Light light = spot_light(place, {{q16(-8000 * std::sin(a)), 0, q16(-8000 * std::cos(a))}, {}, degrees(outer), 0}, white, 4'000'000'000_scaled);
+        Light light = spot_light(place, {{q16(-8000 * std::sin(a)), 0, q16(-8000 * std::cos(a))}, {}, degrees(outer), 0}, white, very_strong);
         const double px = place.x.raw, pz = place.z.raw, ax = light.spot.direction.x.raw, az = light.spot.direction.z.raw;
         const double angle = std::fabs(std::atan2(px * az - pz * ax, -px * ax - pz * az)) * 180 / std::numbers::pi;
         if (std::fabs(angle - outer) < 5e-6) continue;  // as fine as the lattice of the lamp's place and of its axis
@@ -126,7 +128,7 @@ TYPED_TEST(Lamp, IsExactlyNothingOutsideTheCone) {
 
 // One step of the lattice at a time across the whole cone: no step of the light is larger than the steepest place of the formula.
 TYPED_TEST(Lamp, IsContinuousAcrossTheCone) {
-    const Light light = spot_light(ahead, {down, 4_deg, 5_deg, 0});
+    const Light light = spot_light(ahead, {down, degrees(4), degrees(5), 0});
     const double steepest = 1.5 * (1 / 2.0) / (1 * std::numbers::pi / 180) * 0x1p-14 * 1.1;  // d(angle) = dx / 2, slopes of cos alike
     double previous = this->at(light), largest = 0;
     for (int x = 0; x < 4000; ++x) {
@@ -140,7 +142,7 @@ TYPED_TEST(Lamp, IsContinuousAcrossTheCone) {
 
 TYPED_TEST(Lamp, SpacesAgreeWhereTheyCoincide) {
     // The camera looks along the world's -z from (0, 0, 3), and the object's frame is the world's.
-    Light light = spot_light({1, 2, 4}, {{-1, -2, -3}, 5_deg, 20_deg, 3});
+    Light light = spot_light({1, 2, 4}, {{-1, -2, -3}, degrees(5), degrees(20), 3});
     light.range = 9;
     const Accumulator world = lit<TypeParam>({.lights = {light}});
     EXPECT_FALSE(is_black(world));
@@ -151,10 +153,10 @@ TYPED_TEST(Lamp, SpacesAgreeWhereTheyCoincide) {
 }
 
 TYPED_TEST(Lamp, AnObjectsSpotTurnsWithIt) {
-    Setting s{.lights = {spot_light({1, 2, 4}, {{-1, -2, -3}, 5_deg, 20_deg, 3})}};
+    Setting s{.lights = {spot_light({1, 2, 4}, {{-1, -2, -3}, degrees(5), degrees(20), 3})}};
     s.lights[0].space = Space::object, s.material.specular = black;
     const Accumulator before = lit<TypeParam>(s);
-    s.pose.rotation = rotate_y(77_deg) * rotate_x(31_deg);
+    s.pose.rotation = rotate_y(degrees(77)) * rotate_x(degrees(31));
     EXPECT_TRUE(are_equal(lit<TypeParam>(s), before));
     s.lights[0].space = Space::world;
     EXPECT_FALSE(are_equal(lit<TypeParam>(s), before));
