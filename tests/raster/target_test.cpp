@@ -8,25 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "host_sim/engine/codes.hpp"
 #include "shade16/shade16.hpp"
 
 namespace shade16 {
 namespace {
-
-/// The colours that a format is about to round, half a code included: stepped as the format itself is.
-struct Codes565 {
-    using Pixel = ByChannel<Channels::rgb, uint32_t>;
-    static constexpr int red_bits = 5, green_bits = 6, blue_bits = 5;
-    static constexpr Pixel pack(uint32_t, uint32_t, uint32_t) { return {}; }
-    static constexpr Pixel from_q24(uint32_t r, uint32_t g, uint32_t b) { return {r, g, b}; }
-};
-template <int Bits>
-struct GrayCodes {
-    using Pixel = ByChannel<Channels::luma, uint32_t>;
-    static constexpr int luma_bits = Bits;
-    static constexpr Pixel pack(uint32_t) { return {}; }
-    static constexpr Pixel from_q24(uint32_t luma) { return {luma}; }
-};
 
 constexpr Rgb corner_colors[] = {rgb(0xFF0000), rgb(0x00FF00), rgb(0x0000FF), rgb(0xFFFF00)};
 constexpr Mesh colored_quad() {
@@ -74,8 +60,7 @@ constexpr const BayerMatrix* matrix_of() {
 template <class Format, class Tier>
 void expect_codes_in_memory(Viewport screen) {
     constexpr bool gray = GrayFormat<Format>;
-    using Codes = std::conditional_t<gray, GrayCodes<[] { if constexpr (gray) return Format::luma_bits; else return 1; }()>, Codes565>;
-    const auto codes = drawn<Codes, Tier>(screen, screen.height);
+    const auto codes = drawn<typename host::UnroundedOf<Format>::type, Tier>(screen, screen.height);
     const auto memory = drawn<Format, Tier>(screen, screen.height);
     for (int32_t y = 0; y < screen.height; ++y)
         for (int32_t x = 0; x < screen.width; ++x) {
@@ -199,7 +184,7 @@ double low_pass_error() {
         renderer.draw(target->band());
         return std::vector<typename F::Pixel>(target->pixels, target->pixels + size * size);
     };
-    const auto exact = frame(Codes565{});
+    const auto exact = frame(host::UnroundedExact565{});
     const auto shown = frame(Format{});
     double squares = 0;
     for (int32_t top = 0; top + 8 <= size; ++top)
