@@ -14,14 +14,6 @@ using testing::Not;
 
 constexpr const char* spider = "/usr/share/assimp/models/OBJ/spider.obj";  // Debian's assimp-testmodels
 
-bool has_spider() {
-    if (std::filesystem::exists(spider)) return true;
-    const char* all = std::getenv("SHADE16_REQUIRE_ALL");
-    EXPECT_FALSE(all != nullptr && std::string_view(all) == "1")
-        << "assimp-testmodels is not installed, and SHADE16_REQUIRE_ALL is set.";
-    return false;
-}
-
 void expect_promises_kept(const std::string& model, const std::string& options) {
     SCOPED_TRACE(options);
     const Ran ran = shade16_program("compare --quiet " + model + " " + options);
@@ -89,7 +81,7 @@ TEST(CliCompare, a_part_that_rounding_removes_is_not_missed) {
 }
 
 TEST(CliCompare, the_spider_renders_and_keeps_every_promise) {
-    if (!has_spider()) GTEST_SKIP() << "assimp-testmodels is not installed.";
+    if (!has_file(spider)) GTEST_SKIP() << "assimp-testmodels is not installed.";
     expect_promises_kept(spider, "");
     expect_promises_kept(spider, "--shading flat --size 240x320 --frames 4");
     const ScratchDirectory scratch;

@@ -66,13 +66,15 @@ inline std::filesystem::path source_directory() {
     return std::filesystem::path(__FILE__).parent_path().parent_path().parent_path();
 }
 
-/// Whether a program can be run; if not and SHADE16_REQUIRE_ALL is 1, the test fails.
-inline bool has_program(const std::string& name) {
-    if (std::system(("command -v " + name + " >/dev/null 2>&1").c_str()) == 0) return true;
+/// Whether what a test needs is here; if not and SHADE16_REQUIRE_ALL is 1, the test fails.
+inline bool is_here(bool found, const std::string& name) {
     const char* all = std::getenv("SHADE16_REQUIRE_ALL");
-    EXPECT_FALSE(all != nullptr && std::string_view(all) == "1")
-        << name << " is not installed, and SHADE16_REQUIRE_ALL is set.";
-    return false;
+    EXPECT_TRUE(found || all == nullptr || std::string_view(all) != "1") << name << " is not here, and SHADE16_REQUIRE_ALL is set.";
+    return found;
+}
+inline bool has_file(const std::string& path) { return is_here(std::filesystem::exists(path), path); }
+inline bool has_program(const std::string& name) {
+    return is_here(std::system(("command -v " + name + " >/dev/null 2>&1").c_str()) == 0, name);
 }
 
 }  // namespace shade16::host
