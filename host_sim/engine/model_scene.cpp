@@ -1,6 +1,10 @@
 #include "host_sim/engine/model_scene.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "host_sim/engine/fit.hpp"
+#include "host_sim/engine/unused_tables.hpp"
 
 namespace shade16::host {
 
@@ -17,6 +21,7 @@ ModelScene::ModelScene(Model model, Viewport viewport, const Look& look) : model
     lights_ = light_rig();
     scene_.lights = {lights_.data(), static_cast<uint32_t>(lights_.size())};
     lights_[key_light].intensity = fitting_key(*this, lights_[key_light], viewport, figures_);
+    std::ranges::copy(warnings_of_unused_tables(scene_), std::back_inserter(baked_.warnings));
 }
 
 std::vector<Pose> ModelScene::poses(Angle turn) const {

@@ -6,6 +6,7 @@
 
 #include "host_sim/engine/formats.hpp"
 #include "host_sim/engine/runtime_renderer.hpp"
+#include "host_sim/engine/unused_tables.hpp"
 #include "host_sim/report/judge.hpp"
 #include "host_sim/report/unrounded.hpp"
 #include "host_sim/report/winners.hpp"
@@ -81,18 +82,6 @@ double texel_error(const Object& object, Viewport viewport) {
     return std::ldexp(std::max(1.0, std::max(viewport.width, viewport.height) / 256.0), log2 + 15 - object.mesh.texcoord_bits + error_log2);
 }
 
-/// Whether an object's pixels come from its light table, as the engine decides it.
-bool is_by_table(const Object& object, const reference::FrameValues& values) {
-    if (!detail::may_use_light_table(object)) return false;
-    bool shines = false;
-    for (const Light& light : values.lights) {
-        if (light.intensity.is_zero() || light.kind == LightKind::ambient) continue;
-        if (light.is_lamp()) return false;
-        shines = shines || (object.material.specular != black && light.specular != black);
-    }
-    return !(shines && values.camera.sees_locally());
-}
-
 /// What a table promises in place of the tier: its own error and half a code of RGB565 (or a luma's 16 bits), and a highlight that begins
 /// within an entry of N.L = 0.
 PromisedLevels promised_of_table(const Material& material, Channels colors) {
@@ -109,7 +98,8 @@ void judge_pixel(Comparison& result, const glm::dvec3& shown, const reference::S
         shifted.texel_shift = shift;
         return judge(shown, reference::light_surface(scene, frame, o, f, shifted, colors), object.material, promise);
     };
-    if (is_by_table(object, reference::FrameValues(scene.values, frame))) {
+    const reference::FrameValues values(scene.values, frame);
+    if (object.material.light_table != LightTable::none && obstacle_to_light_table(object, values.lights, values.camera) == nullptr) {
         reference::FacePoint mapped = point;
         mapped.on_table_map = true;
         const reference::LightParts parts = reference::light_surface(scene, frame, o, f, mapped, colors);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 
+#include "host_sim/engine/unused_tables.hpp"
 #include "host_sim/error.hpp"
 #include "host_sim/scene_file/decimal.hpp"
 
@@ -60,6 +62,7 @@ LoadedScene::LoadedScene(SceneDescription description, const Look& look) : descr
         return View<T>(v.data(), static_cast<uint32_t>(v.size()));
     };
     scene_ = {description_.camera, view(description_.lights), view(objects_), description_.background};
+    std::ranges::copy(warnings_of_unused_tables(scene_), std::back_inserter(warnings_));
 }
 
 void LoadedScene::add_object(std::size_t index, const Look& look) {

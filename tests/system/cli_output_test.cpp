@@ -14,6 +14,15 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
 
+std::string scene_file(const std::string& name) { return (source_directory() / "assets/scenes" / (name + ".toml")).string(); }
+
+/// The bytes of a small picture of a scene.
+std::string of_scene(const std::string& name, const std::string& options) {
+    const ScratchDirectory scratch;
+    EXPECT_EQ(shade16_program("render " + scene_file(name) + " --frames 1 --size 96x40 -o " + scratch.path("a.png") + " " + options).exit_code, 0);
+    return scratch.read("a.png");
+}
+
 /// The bytes of one render of a small teapot.
 std::string rendered(const std::string& ending, const std::string& options) {
     const ScratchDirectory scratch;
@@ -61,19 +70,24 @@ TEST(CliOutput, the_look_of_all_materials_changes_the_picture) {
     EXPECT_NE(rendered(".png", "--shading phong --normals spherical"), phong);
     EXPECT_NE(rendered(".png", "--reflection phong"), plain);
     EXPECT_EQ(rendered(".png", "--reflection blinn_phong --normals linear --light-table none"), plain) << "the teapot's own";
-    const auto textured = [](const std::string& options) {
+    EXPECT_NE(of_scene("textured_cube", "--filter nearest"), of_scene("textured_cube", "--filter bilinear"));
+    EXPECT_NE(of_scene("textured_cube", "--mapping affine"), of_scene("textured_cube", "--mapping perspective"));
+    EXPECT_NE(of_scene("tables", "--light-table none"), of_scene("tables", "--light-table nearest"));
+}
+
+TEST(CliOutput, says_which_light_table_is_not_used_and_why) {
+    const auto said = [](const std::string& scene, const std::string& options) {
         const ScratchDirectory scratch;
-        EXPECT_EQ(shade16_program("render '" + (source_directory() / "assets/scenes/textured_cube.toml").string() + "' --frames 1 --size 96x72 -o " + scratch.path("a.png") + " " + options).exit_code, 0);
-        return scratch.read("a.png");
+        return shade16_program("render " + scene + " --frames 1 --size 40x30 -o " + scratch.path("a.png") + " --light-table nearest " + options).err;
     };
-    EXPECT_NE(textured("--filter nearest"), textured("--filter bilinear"));
-    EXPECT_NE(textured("--mapping affine"), textured("--mapping perspective"));
-    const auto tables = [](const std::string& options) {
-        const ScratchDirectory scratch;
-        EXPECT_EQ(shade16_program("render '" + (source_directory() / "assets/scenes/tables.toml").string() + "' --frames 1 --size 96x40 -o " + scratch.path("a.png") + " " + options).exit_code, 0);
-        return scratch.read("a.png");
-    };
-    EXPECT_NE(tables("--light-table none"), tables("--light-table nearest"));
+    const std::string tables = scene_file("tables");
+    EXPECT_EQ(said(teapot(), "--shading phong"), "warning: Object 1 does not use its light table: a point or spot light shines.\n");
+    EXPECT_EQ(said(teapot(), ""), "warning: Object 1 does not use its light table: its shading is not phong.\n");
+    EXPECT_THAT(said(scene_file("textured_cube"), "--shading phong"), HasSubstr("Object 1, like 2 more, does not use its light table: it has a texture"));
+    EXPECT_EQ(said(tables, ""), "");
+    const ScratchDirectory scratch;
+    EXPECT_EQ(run_shell("sed 's/^viewer = .*//; s/^\\[camera\\]/&\\nviewer = \"local\"/' " + tables + " >" + scratch.path("local.toml")).exit_code, 0);
+    EXPECT_THAT(said(scratch.path("local.toml"), ""), HasSubstr("its highlights are seen by a local viewer."));
 }
 
 TEST(CliOutput, standard_output_is_the_file_and_nothing_else) {
