@@ -43,7 +43,7 @@ OpenScene open_scene(RenderOptions& o) {
         settle("--size", o.size, output.size);
         settle("--tier", o.tier, output.tier);
         settle("--format", o.target.format, output.target.format);
-        settle("--dither", o.target.dither, output.target.dither);
+        if (o.target.format != Rgb888::name) settle("--dither", o.target.dither, output.target.dither);  // it shows every level
         settle("--frames", o.frames, output.frames);
         settle("--fps", o.fps, output.fps);
         settle("--bands", o.band_rows, output.band_rows);

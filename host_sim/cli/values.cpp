@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <optional>
 #include <stdexcept>
 
@@ -23,11 +24,10 @@ std::optional<int> number(std::string_view word) {
     return value;
 }
 
-bool has_ending(std::string_view path, std::string_view ending) {
-    if (path.size() <= ending.size()) return false;
-    const auto lower = [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-    return std::equal(ending.begin(), ending.end(), path.end() - static_cast<std::ptrdiff_t>(ending.size()),
-                      [&](char a, char b) { return a == lower(b); });
+/// A name such as `.png` is no ending, but a file's whole name.
+bool has_ending(const std::string& path, std::string_view ending) {
+    const std::string own = std::filesystem::path(path).extension().string();
+    return std::ranges::equal(own, ending, [](char a, char b) { return ('A' <= a && a <= 'Z' ? a - 'A' + 'a' : a) == b; });
 }
 
 }  // namespace

@@ -11,9 +11,9 @@ namespace {
 
 Plate shadings(const Studio& studio) {
     Plate plate{"shading.png", 3, {}, {}, {}};
-    plate.panels = {studio.panel("flat", "gallery/teapot.toml", {.shading = Shading::flat}),
-                    studio.panel("Gouraud", "gallery/teapot.toml", {.shading = Shading::gouraud}),
-                    studio.panel("Phong", "gallery/teapot.toml", {.shading = Shading::phong})};
+    plate.panels = {studio.panel("flat", "gallery/teapot.toml", {.look = {.shading = Shading::flat}}),
+                    studio.panel("Gouraud", "gallery/teapot.toml", {.look = {.shading = Shading::gouraud}}),
+                    studio.panel("Phong", "gallery/teapot.toml", {.look = {.shading = Shading::phong}})};
     plate.add_pair("flat", "Gouraud", 0.28);
     plate.add_pair("Gouraud", "Phong", 0.25);
     return plate;
@@ -53,8 +53,8 @@ Plate lambert_and_phong(const Studio& studio) {
 
 Plate mach_bands(const Studio& studio) {
     Plate plate{"mach_bands.png", 2, {}, {}, {}};
-    plate.panels = {studio.panel("flat: steps", "gallery/mach_bands.toml", {.shading = Shading::flat}),
-                    studio.panel("Gouraud: kinks", "gallery/mach_bands.toml", {.shading = Shading::gouraud})};
+    plate.panels = {studio.panel("flat: steps", "gallery/mach_bands.toml", {.look = {.shading = Shading::flat}}),
+                    studio.panel("Gouraud: kinks", "gallery/mach_bands.toml", {.look = {.shading = Shading::gouraud}})};
     for (Panel& panel : plate.panels) panel.profile = profile_of_middle_row(panel.image, 100);
     plate.add_pair("flat: steps", "Gouraud: kinks", 0.43);
     return plate;
@@ -64,9 +64,9 @@ Plate normals(const Studio& studio) {
     Plate plate{"normals.png", 3, {}, {}, {}};
     for (const std::string of : {"torus", "ball"}) {
         const std::string scene = "gallery/coarse_" + of + ".toml";
-        plate.panels.push_back(studio.panel(of + ", Gouraud", scene, {.shading = Shading::gouraud}));
-        plate.panels.push_back(studio.panel(of + ", linear normals", scene, {.normals = NormalPath::linear}));
-        plate.panels.push_back(studio.panel(of + ", spherical normals", scene, {.normals = NormalPath::spherical}));
+        plate.panels.push_back(studio.panel(of + ", Gouraud", scene, {.look = {.shading = Shading::gouraud}}));
+        plate.panels.push_back(studio.panel(of + ", linear normals", scene, {.look = {.normals = NormalPath::linear}}));
+        plate.panels.push_back(studio.panel(of + ", spherical normals", scene, {.look = {.normals = NormalPath::spherical}}));
     }
     plate.add_pair("torus, Gouraud", "torus, linear normals", 0.24);
     plate.add_pair("torus, linear normals", "torus, spherical normals", 0.19);

@@ -14,7 +14,6 @@ namespace {
 void vary(SceneDescription& scene, const Variation& v) {
     for (ObjectDescription& object : scene.objects) {
         if (!object.value) continue;
-        if (v.normals) object.value->normal_path = *v.normals;
         if (v.shininess) object.value->shininess = Q16::from_raw(*v.shininess * 65536);
         if (v.matt) object.value->specular = black;
     }
@@ -27,7 +26,7 @@ Panel Studio::panel(const std::string& name, const std::string& scene, const Var
     vary(description, v);
     const Viewport size = v.size.value_or(description.output.size);
     const std::string tier = mediump::name;  // whose promise is the heat maps' scale
-    const LoadedScene loaded(std::move(description), Look{.shading = v.shading});
+    const LoadedScene loaded(std::move(description), v.look);
     Panel panel{name,
                 magnified(fixed_turntable(loaded, size, tier, v.target, 0, v.component)->draw(v.elapsed), v.scale),
                 {},

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "host_sim/engine/look.hpp"
 #include "host_sim/gallery/plate.hpp"
 #include "host_sim/scene_file/description.hpp"
 
@@ -11,9 +12,8 @@ namespace shade16::host {
 
 /// What a panel changes of the scene file that it draws.
 struct Variation {
-    std::optional<Shading> shading{};
-    std::optional<NormalPath> normals{};  // of every material, as the next two
-    std::optional<int> shininess{};
+    Look look{};                          // of all materials
+    std::optional<int> shininess{};       // of the scene file's own materials, as the next
     bool matt = false;  // no specular light
     Component component = Component::all;
     TargetFormat target{Rgb888::name, "none"};

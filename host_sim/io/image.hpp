@@ -10,7 +10,7 @@ struct Image {
     int width = 0, height = 0;
     std::vector<uint8_t> rgb{};  // 3 bytes a pixel
     std::vector<uint8_t> raw{};  // the target's own bytes
-    int raw_bits = 0;            // a pixel of `raw`, where a byte holds several: 4 or 1, rows beginning on a byte
+    int raw_bits = 0;            // a pixel of `raw`, where that is 8 or less: rows begin on a byte
 };
 
 }  // namespace shade16::host

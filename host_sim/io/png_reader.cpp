@@ -30,6 +30,7 @@ Image read_png(const std::string& path) {
     Reader reader;
     if (!png_image_begin_read_from_file(&reader.image, path.c_str()))
         throw input_error("{}: is no picture in PNG format ({}).", path, reader.image.message);
+    reader.image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;  // else 16 bits without a gAMA chunk count as linear, and are bent
     const unsigned width = reader.image.width, height = reader.image.height;
     if (width > largest_px || height > largest_px)
         throw input_error("{}: has {}x{} pixels; expected at most {} a side.", path, width, height, largest_px);

@@ -28,7 +28,7 @@ private:
     inline static const std::string relief_suffixes[] = {"", "_slopes"};
 
     static std::string key_of(const TextureFile& file) { return file.path; }
-    static std::string key_of(const ReliefFile& file) { return fmt::format("{}*{}", file.path, file.strength); }
+    static std::string key_of(const ReliefFile& file) { return fmt::format("{}*{}*{}", file.path, file.strength, static_cast<int>(file.kind)); }
 
     template <class File, std::size_t N>
     std::string name_of(const File& file, const std::string (&suffixes)[N], std::string& text, std::string (*write)(const File&, const std::string&)) {

@@ -1,5 +1,7 @@
 #include "host_sim/model/mtl_import.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <sstream>
 
@@ -37,8 +39,9 @@ bool is_one(const tinyobj::real_t (&color)[3]) { return color[0] == 1 && color[1
 
 class Conversion {
 public:
-    Conversion(const tinyobj::material_t& mtl, const std::string& directory, Remarks& remarks, std::vector<std::string>& warnings)
-        : mtl_(mtl), directory_(directory), remarks_(remarks), warnings_(warnings) {}
+    Conversion(const tinyobj::material_t& mtl, const std::string& directory, Remarks& remarks, Pictures& pictures,
+               std::vector<std::string>& warnings)
+        : mtl_(mtl), directory_(directory), remarks_(remarks), pictures_(pictures), warnings_(warnings) {}
 
     ModelPart run() {
         const std::string name = spaced_name(mtl_.name);
@@ -85,13 +88,13 @@ private:
         const bool has_diffuse = !mtl_.diffuse_texname.empty();
         read_picture(has_diffuse ? "map_Kd" : "map_Ka", has_diffuse ? mtl_.diffuse_texname : mtl_.ambient_texname,
                      has_diffuse ? mtl_.diffuse_texopt : mtl_.ambient_texopt, [&](const std::string& path, double) {
-                         part_.maps.texture = read_texture(path, warnings_);
+                         part_.maps.texture = pictures_.texture(path);
                          part_.material.texture = &part_.maps.texture->texture;
                      });
         const bool has_normals = mtl_.bump_texname.empty();
         read_picture(has_normals ? "norm" : "map_Bump", has_normals ? mtl_.normal_texname : mtl_.bump_texname,
                      has_normals ? mtl_.normal_texopt : mtl_.bump_texopt, [&](const std::string& path, double strength) {
-                         part_.maps.bump = read_relief(path, strength, has_normals ? ReliefKind::normals : ReliefKind::automatic, warnings_);
+                         part_.maps.bump = pictures_.relief(path, strength, has_normals ? ReliefKind::normals : ReliefKind::automatic);
                          part_.material.bump = &part_.maps.bump->map;
                      });
         if (part_.maps.texture == nullptr && part_.maps.bump == nullptr) return;
@@ -102,11 +105,15 @@ private:
     template <class Read>
     void read_picture(const char* keyword, const std::string& file, const tinyobj::texture_option_t& options, Read read) {
         if (file.empty()) return;
-        std::string path = (fs::path(directory_) / file).string();
+        fs::path path = fs::path(directory_) / file;
         std::error_code ignored;
-        if (!fs::is_regular_file(path, ignored)) std::replace(path.begin(), path.end(), '\\', '/');  // written on Windows
+        if (!fs::is_regular_file(path, ignored)) {  // written on Windows
+            std::string name = file;
+            std::replace(name.begin(), name.end(), '\\', '/');
+            path = fs::path(directory_) / name;
+        }
         try {
-            read(path, options.bump_multiplier);
+            read(path.string(), strength(options.bump_multiplier));
         } catch (const Error& error) {
             part_.notes.push_back(fmt::format("{} {}", keyword, file));
             warnings_.push_back(fmt::format("{} of the material '{}' is not drawn. {}", keyword, part_.name, error.what()));
@@ -114,6 +121,13 @@ private:
         const auto is_plain = [](const auto& v, double plain) { return v[0] == plain && v[1] == plain; };
         if (!is_plain(options.scale, 1) || !is_plain(options.origin_offset, 0) || options.clamp)
             remarks_.add(fmt::format("{}'s -s, -o or -clamp is not heeded", keyword), part_.name);
+    }
+
+    double strength(double given) {
+        constexpr double largest = 100;
+        const double inside = std::isfinite(given) ? std::clamp(given, -largest, largest) : 1;
+        if (inside != given) remarks_.add(fmt::format("-bm {:g} is drawn as -bm {:g}", given, inside), part_.name);
+        return inside;
     }
 
     void not_drawn(const std::string& what, const std::string& value) {
@@ -142,6 +156,7 @@ private:
     const tinyobj::material_t& mtl_;
     const std::string& directory_;
     Remarks& remarks_;
+    Pictures& pictures_;
     std::vector<std::string>& warnings_;
     ModelPart part_{};
     bool clamped_ = false;
@@ -175,8 +190,9 @@ bool MtlReader::read(const std::string& file, std::vector<tinyobj::material_t>* 
     return true;
 }
 
-ModelPart to_part(const tinyobj::material_t& mtl, const std::string& directory, Remarks& remarks, std::vector<std::string>& warnings) {
-    return Conversion(mtl, directory, remarks, warnings).run();
+ModelPart to_part(const tinyobj::material_t& mtl, const std::string& directory, Remarks& remarks, Pictures& pictures,
+                  std::vector<std::string>& warnings) {
+    return Conversion(mtl, directory, remarks, pictures, warnings).run();
 }
 
 }  // namespace shade16::host

@@ -8,6 +8,7 @@
 #include <tiny_obj_loader.h>
 
 #include "host_sim/model/model.hpp"
+#include "host_sim/model/pictures.hpp"
 #include "host_sim/model/remarks.hpp"
 
 namespace shade16::host {
@@ -38,6 +39,7 @@ private:
 /// map_Kd is the texture, a factor of ambient and diffuse light; map_Ka is only where it is alone. map_Bump, bump and norm are
 ///        reliefs; -bm is their strength. PNG files, relative to the library. They are shown bilinear and in perspective.
 /// Other maps and transparency are not drawn, and pictures that cannot be read neither, with a warning.
-ModelPart to_part(const tinyobj::material_t& mtl, const std::string& directory, Remarks& remarks, std::vector<std::string>& warnings);
+ModelPart to_part(const tinyobj::material_t& mtl, const std::string& directory, Remarks& remarks, Pictures& pictures,
+                  std::vector<std::string>& warnings);
 
 }  // namespace shade16::host

@@ -58,6 +58,8 @@ public:
             const ModelPart& part = part_of(material);
             has_texcoords_ = has_texcoords_ || part.material.texture != nullptr || part.material.bump != nullptr;
         }
+        if (has_texcoords_ && parsed_.attributes.texcoords.empty())
+            model_.warnings.push_back("The model has pictures, but no vt lines: each picture shows one texel everywhere.");
         for_each_face([this](std::size_t face, std::size_t) { normals_.add_face(corners_, group_of(face)); });
         for_each_face([this](std::size_t face, std::size_t first) { add_face(face, first); });
         std::erase_if(model_.parts, [](const ModelPart& part) { return part.triangles.empty(); });
@@ -135,7 +137,7 @@ private:
         if (is_new && material_id < 0) {
             model_.parts.push_back({.name = "default", .material = default_material()});
         } else if (is_new) {
-            model_.parts.push_back(to_part(parsed_.materials[static_cast<std::size_t>(material_id)], directory_, remarks_, model_.warnings));
+            model_.parts.push_back(to_part(parsed_.materials[static_cast<std::size_t>(material_id)], directory_, remarks_, pictures_, model_.warnings));
         }
         return model_.parts[entry->second];
     }
@@ -143,6 +145,7 @@ private:
     const Parsed& parsed_;
     const std::string& directory_;
     Model& model_;
+    Pictures pictures_{model_.warnings};
     bool has_texcoords_, colored_ = false, has_smoothing_, keeps_normals_;
     std::vector<Double3> corners_{};  // of the face at hand
     SmoothNormals normals_;

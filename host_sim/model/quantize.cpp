@@ -96,7 +96,6 @@ private:
         if (!has_texcoords_) return {};
         const auto rounded = [&](double v) {
             const double code = std::clamp<double>(std::round(std::ldexp(v, texcoord_bits_)), -largest_texcoord, largest_texcoord);
-            baked_.max_texcoord_error = std::max(baked_.max_texcoord_error, std::fabs(std::ldexp(code, -texcoord_bits_) - v));
             return static_cast<int16_t>(code);
         };
         return {rounded(model_.texcoords[index][0]), rounded(model_.texcoords[index][1])};

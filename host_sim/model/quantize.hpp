@@ -33,7 +33,6 @@ struct BakedModel {
 
     double max_position_error = 0;  // a distance, in the model's units
     double max_normal_error_degrees = 0;
-    double max_texcoord_error = 0;  // of the texture's width or height
     std::size_t degenerate_triangles = 0;  // lost their area by rounding, and were dropped
     std::vector<std::string> warnings{};   // the model's, and what rounding added
 

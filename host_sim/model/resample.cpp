@@ -29,10 +29,11 @@ int nearest_power_of_two(int size) {
 
 Picture3 resampled(const Image& image, int width, int height) {
     Picture3 result{width, height, {}};
+    std::vector<Cover> all_columns;
+    for (int x = 0; x < width; ++x) all_columns.emplace_back(x, image.width, width);
     for (int y = 0; y < height; ++y) {
         const Cover rows(y, image.height, height);
-        for (int x = 0; x < width; ++x) {
-            const Cover columns(x, image.width, width);
+        for (const Cover& columns : all_columns) {
             for (std::size_t channel = 0; channel < 3; ++channel) {
                 double sum = 0;
                 for (std::size_t j = 0; j < rows.weights.size(); ++j)

@@ -89,7 +89,7 @@ std::shared_ptr<const ReliefFile> read_relief(const std::string& path, double st
             slopes.push_back(slope);
         }
     auto file = std::make_shared<ReliefFile>();
-    file->path = path, file->name = std::filesystem::path(path).stem().string(), file->strength = strength;
+    file->path = path, file->name = std::filesystem::path(path).stem().string(), file->strength = strength, file->kind = kind;
     if (is_too_steep) warnings.push_back(fmt::format("The relief '{}' is steeper than 8 in places, and is drawn with 8 there.", file->name));
 
     int bits = most_slope_bits;

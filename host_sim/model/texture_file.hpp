@@ -21,9 +21,12 @@ struct TextureFile {
     TextureFile& operator=(const TextureFile&) = delete;
 };
 
+enum class ReliefKind { automatic, heights, normals };
+
 struct ReliefFile {
     std::string path{}, name{};
     double strength = 1;
+    ReliefKind kind = ReliefKind::automatic;
     std::vector<Slope8> texels{};
     SlopeMap map{};
 
@@ -41,8 +44,6 @@ struct MaterialMaps {
 /// Reads a PNG. A size that is no power of two is resampled to the nearest one, of at most 1024, with a warning: each texel
 /// is the mean of what it covers. The picture's lowest row is t = 0, as OBJ files have it.
 std::shared_ptr<const TextureFile> read_texture(const std::string& path, std::vector<std::string>& warnings);
-
-enum class ReliefKind { automatic, heights, normals };
 
 /// Reads a relief. A grey picture holds heights, of which white is strength / 16 of the picture's width above black; a coloured
 /// one holds tangent-space normals with green towards t (OpenGL's habit), whose slopes are multiplied by `strength`.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "host_sim/model/pictures.hpp"
 #include "host_sim/nearest_word.hpp"
 #include "host_sim/scene_file/read_parts.hpp"
 
@@ -13,8 +14,8 @@ constexpr Range exponents{1, 1000};
 
 class Materials {
 public:
-    Materials(const SceneTables& tables, const TomlTable& entries, std::vector<std::string>& warnings)
-        : tables_(tables), entries_(entries), warnings_(warnings) {}
+    Materials(const SceneTables& tables, const TomlTable& entries, Pictures& pictures)
+        : tables_(tables), entries_(entries), pictures_(pictures) {}
 
     MaterialDescription read(const TomlEntry& entry, std::vector<std::string> likes = {}) const {
         const TableReader table =
@@ -68,13 +69,13 @@ private:
         if (const auto i = table.word("filter", {"nearest", "bilinear"})) to.material.filter = static_cast<Filter>(*i);
         if (const auto i = table.word("mapping", {"affine", "perspective"})) to.material.mapping = static_cast<Mapping>(*i);
         if (table.has("texture")) {
-            to.maps.texture = read_picture(table, "texture", [&](const std::string& path) { return read_texture(path, warnings_); });
+            to.maps.texture = read_picture(table, "texture", [&](const std::string& path) { return pictures_.texture(path); });
             to.material.texture = &to.maps.texture->texture;
         }
         double strength = 1;
         table.read("bump_strength", strength, Range{-100, 100});
         if (table.has("bump")) {
-            to.maps.bump = read_picture(table, "bump", [&](const std::string& path) { return read_relief(path, strength, ReliefKind::automatic, warnings_); });
+            to.maps.bump = read_picture(table, "bump", [&](const std::string& path) { return pictures_.relief(path, strength, ReliefKind::automatic); });
             to.material.bump = &to.maps.bump->map;
         } else if (table.has("bump_strength")) {
             throw table.wrong("bump_strength", "stands without 'bump'; expected the name of a picture there");
@@ -101,14 +102,16 @@ private:
 
     const SceneTables& tables_;
     const TomlTable& entries_;
-    std::vector<std::string>& warnings_;
+    Pictures& pictures_;
 };
 
 }  // namespace
 
 std::vector<MaterialDescription> read_materials(const SceneTables& tables, const TomlTable& entries, std::vector<std::string>& warnings) {
+    Pictures pictures(warnings);
+    const Materials materials(tables, entries, pictures);
     std::vector<MaterialDescription> all;
-    for (const TomlEntry& entry : entries) all.push_back(Materials(tables, entries, warnings).read(entry));
+    for (const TomlEntry& entry : entries) all.push_back(materials.read(entry));
     return all;
 }
 

@@ -85,6 +85,7 @@ TEST(CliGray, a_scene_file_says_what_its_display_is) {
     EXPECT_EQ(scratch.read("a.gray4").size(), 64u * 64);
     const std::string dumped = shade16_program("render " + scene + " --dump-scene").out;
     EXPECT_THAT(dumped, HasSubstr("format = \"gray4\"\ndither = \"4x4\"\n"));
+    EXPECT_EQ(shade16_program("render " + scene + " --frames 1 --format rgb888 -o " + scratch.path("a.png")).exit_code, 0) << "which has nothing to dither";
     EXPECT_THAT(shade16_program("info " + scene).out, HasSubstr("RAM of one band in gray4, 4 bits a pixel"));
     const Ran compared = shade16_program("compare --quiet --frames 2 " + scene);
     EXPECT_EQ(compared.exit_code, 0);

@@ -120,6 +120,8 @@ TEST(CliRefusal, an_unwritable_output_is_a_failure_of_the_machine) {
                    "no/a.hpp: cannot be created");
     expect_refusal(shade16_program("render " + teapot() + " -o " + scratch.path("d.png")), 3, "d.png: is a directory");
     EXPECT_THAT(scratch.names(), ElementsAre("d.png"));
+    for (const char* output : {".gray8", ".rgb565", ".png"})  // a name, and no ending
+        expect_refusal(shade16_program("render " + teapot() + " -o " + scratch.path(output)), 2, "a name without an ending names no known format");
 }
 
 TEST(CliRefusal, a_full_disk) {

@@ -2,6 +2,7 @@
 #include "host_sim/model/texture_file.hpp"
 
 #include <gmock/gmock.h>
+#include <zlib.h>
 
 #include <fstream>
 
@@ -15,6 +16,7 @@ namespace shade16::host {
 namespace {
 
 using testing::ElementsAre;
+using testing::Each;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
@@ -88,6 +90,34 @@ TEST(TextureFile, slopes_beyond_eight_are_limited_and_said) {
     EXPECT_EQ(file->texels[0].s, 127);
 }
 
+// One row of pixels with 16 bits a channel and no gAMA chunk.
+std::string write_picture_of_16_bits(const ScratchDirectory& scratch, const std::string& name, const std::vector<std::array<uint16_t, 3>>& row) {
+    std::vector<uint8_t> png(png_signature.begin(), png_signature.end()), header, lines{0};  // 0: no filter
+    const auto append_chunk = [&](std::string_view kind, const std::vector<uint8_t>& contents) {
+        const std::vector<uint8_t> chunk = png_chunk(kind, contents);
+        png.insert(png.end(), chunk.begin(), chunk.end());
+    };
+    append_big_endian(header, static_cast<uint32_t>(row.size()), 4), append_big_endian(header, 1, 4);
+    header.insert(header.end(), {16, 2, 0, 0, 0});  // bits, colour type RGB
+    for (const auto& pixel : row)
+        for (const uint16_t c : pixel) append_big_endian(lines, c, 2);
+    uLongf size = compressBound(lines.size());
+    std::vector<uint8_t> packed(size);
+    EXPECT_EQ(compress(packed.data(), &size, lines.data(), lines.size()), Z_OK);
+    packed.resize(size);
+    append_chunk("IHDR", header), append_chunk("IDAT", packed), append_chunk("IEND", {});
+    return scratch.write(name, std::string(png.begin(), png.end()));
+}
+
+TEST(TextureFile, sixteen_bits_are_rounded_to_eight_and_not_bent) {
+    const ScratchDirectory scratch;
+    std::vector<std::string> warnings;
+    const std::string flat = write_picture_of_16_bits(scratch, "flat.png", {{32768, 32768, 65535}, {32768, 32768, 65535}});
+    EXPECT_THAT(read_relief(flat, 1, ReliefKind::automatic, warnings)->texels, Each(Slope8{0, 0}));
+    const std::string half = write_picture_of_16_bits(scratch, "half.png", {{32768, 32768, 32768}});
+    EXPECT_THAT(read_texture(half, warnings)->texels, ElementsAre(16 << 11 | 32 << 5 | 16));
+}
+
 std::string complaint(const std::string& path) {
     std::vector<std::string> warnings;
     try {
@@ -159,6 +189,35 @@ TEST(TextureFile, bump_and_norm_are_reliefs_with_a_strength) {
     EXPECT_NEAR(slope(one), 1, 0.01);
     EXPECT_NEAR(slope(half), 0.5, 0.01);
     EXPECT_NE(textured_model(scratch, "norm n.png\n").parts[0].material.bump, nullptr);
+    EXPECT_THAT(textured_model(scratch, "map_Bump -bm 1e30 n.png\n").warnings,
+                ElementsAre("The relief 'n' is steeper than 8 in places, and is drawn with 8 there.", "-bm 1e+30 is drawn as -bm 100 (material wall)."));
+}
+
+TEST(TextureFile, a_picture_of_several_materials_is_read_and_warned_of_once) {
+    const ScratchDirectory scratch;
+    write_picture(scratch, "wide.png", 3, {red, green, blue});
+    scratch.write("a.mtl", "newmtl wall\nmap_Kd wide.png\nnewmtl plain\nmap_Kd wide.png\n");
+    const Model model = import_obj(scratch.write("a.obj", textured_obj));
+    EXPECT_THAT(model.warnings, ElementsAre("The picture 'wide.png' of 3x1 pixels was brought to 4x1: textures have powers of two."));
+    ASSERT_THAT(model.parts, SizeIs(2));
+    EXPECT_EQ(model.parts[0].maps.texture, model.parts[1].maps.texture);
+}
+
+TEST(TextureFile, one_picture_as_heights_and_as_normals_is_two_reliefs) {
+    const ScratchDirectory scratch;
+    write_picture(scratch, "g.png", 2, {grey, white_code});
+    scratch.write("a.mtl", "newmtl wall\nmap_Bump g.png\nnewmtl plain\nnorm g.png\n");
+    const std::string header = bake_header(quantize(import_obj(scratch.write("a.obj", textured_obj))), "a");
+    EXPECT_THAT(header, HasSubstr("SlopeMap g_relief{"));
+    EXPECT_THAT(header, HasSubstr("SlopeMap g_relief_2{"));
+}
+
+TEST(TextureFile, pictures_without_coordinates_are_said) {
+    const ScratchDirectory scratch;
+    write_picture(scratch, "wall.png", 2, {red, green});
+    scratch.write("a.mtl", "newmtl wall\nmap_Kd wall.png\n");
+    EXPECT_THAT(import_obj(scratch.write("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nusemtl wall\nf 1 2 3\n")).warnings,
+                ElementsAre("The model has pictures, but no vt lines: each picture shows one texel everywhere."));
 }
 
 }  // namespace
