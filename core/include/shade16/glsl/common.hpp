@@ -69,7 +69,6 @@ SHADE16_ONCE constexpr Q16 smoothstep(Q16 low, Q16 high, Q16 x) {
     if (falls) d = -d, n = -n;
     if (n >= d) return 1;
     if (n <= 0) return {};
-    if (d >> 32) d >>= 1, n >>= 1;
     const uint32_t t = rounded_quotient(static_cast<uint64_t>(n) << 30, static_cast<uint32_t>(d));
     const uint32_t tt = static_cast<uint32_t>(multiply(t, t) >> 30);
     const uint64_t smooth = multiply(tt, (uint32_t{3} << 30) - 2 * t);  // Q60

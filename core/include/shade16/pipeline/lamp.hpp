@@ -13,8 +13,8 @@ constexpr bool is_shaped(const Light& light) {
     return light.is_lamp() && (light.attenuation.falls_off() || light.range > Q16{} || light.kind == LightKind::spot);
 }
 
-/// How far the edges of ranges and cones are drawn in, so that rounding leaves no light outside: in units of 2^-32 of range^2, and
-/// 2^cone_guard_log2 of a cone's radius (the chord of its outer angle).
+/// How far the edges of ranges and cones are drawn in, so that rounding leaves no light outside: in units of 2^-32 of range^2; and
+/// a cone's radius, the chord of its outer angle, by 2^cone_guard_log2.
 inline constexpr uint32_t range_guard = 64;
 inline constexpr int cone_guard_log2 = -27;
 

@@ -129,7 +129,6 @@ struct SplitLightOf {
     AccumulatorOf<C> body{};   // ambient, emissive and diffuse: what vertex colours and textures multiply
     AccumulatorOf<C> shine{};  // specular
 };
-using SplitLight = SplitLightOf<Channels::rgb>;
 
 /// Adds the light of every lamp at a point: diffuse to `sum`, specular to `shine`, which may be the same.
 template <Needs N, PrecisionTier Tier>

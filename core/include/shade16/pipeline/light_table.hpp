@@ -70,11 +70,6 @@ SHADE16_ONCE constexpr IVec3 table_normal(int32_t column, int32_t row) {
     const auto halved = [root](int32_t c) { return static_cast<int32_t>(multiply(c, root) >> 30); };
     return {halved(x), halved(y), static_cast<int32_t>(((int64_t{1} << 60) - 2 * static_cast<int64_t>(squared)) >> 31)};
 }
-
-/// Whether an object's material asks for the table, and nothing else of its pixels differs but the normal.
-constexpr bool may_use_light_table(const Object& o) {
-    return o.material.light_table != LightTable::none && is_phong(o.material) && o.mesh.colors.empty() && !has_texture(o) && !has_bump(o);
-}
 }  // namespace detail
 
 /// One object's table and what it was made of, so that it is made anew only when that changes.

@@ -74,6 +74,10 @@ constexpr bool has_texture(const Object& o) { return o.material.texture != nullp
 constexpr bool has_bump(const Object& o) {
     return o.material.bump != nullptr && !o.mesh.texcoords.empty() && is_phong(o.material);
 }
+/// Whether an object's material asks for the table, and nothing else of its pixels differs but the normal.
+constexpr bool may_use_light_table(const Object& o) {
+    return o.material.light_table != LightTable::none && is_phong(o.material) && o.mesh.colors.empty() && !has_texture(o) && !has_bump(o);
+}
 
 constexpr Needs needs_of_lamp(const Light& lamp) {
     Needs n;
@@ -98,7 +102,7 @@ constexpr Needs needs_of(const Object& object, View<Light> lights) {
     n.stretch = object.pose.scale.x != object.pose.scale.y || object.pose.scale.y != object.pose.scale.z;
     n.texture = has_texture(object);
     n.bump = has_bump(object);
-    n.light_table = n.phong && m.light_table != LightTable::none;
+    n.light_table = may_use_light_table(object);
     n.bilinear = ((n.texture || n.bump) && m.filter == Filter::bilinear) || (n.light_table && m.light_table == LightTable::bilinear);
     n.perspective_texture = (n.texture || n.bump) && m.mapping == Mapping::perspective;
     if (m.unlit) return n;

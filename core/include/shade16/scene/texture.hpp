@@ -20,13 +20,11 @@ enum class Filter : uint8_t { nearest, bilinear };
 /// reciprocal a pixel.
 enum class Mapping : uint8_t { affine, perspective };
 
-inline constexpr int max_texture_log2 = 11;  // 2048 texels
-
 /// RGB565 texels, row by row from t = 0, width and height powers of two. A texel's channel stands for its bits repeated
 /// to 16: code 31 of 5 bits is 1.0.
 struct Texture {
     View<uint16_t> texels{};  // 2^(width_log2 + height_log2) of them
-    uint8_t width_log2 = 0, height_log2 = 0;
+    uint8_t width_log2 = 0, height_log2 = 0;  // 0 to 11
 };
 
 /// A slope of the surface against its tangent plane: n.x / n.z and n.y / n.z of a tangent-space normal n.
@@ -38,7 +36,7 @@ struct Slope8 {
 /// A bump or normal map as slopes: two bytes a texel, and no root to restore a third component with.
 struct SlopeMap {
     View<Slope8> texels{};
-    uint8_t width_log2 = 0, height_log2 = 0;
+    uint8_t width_log2 = 0, height_log2 = 0;  // 0 to 11
     uint8_t fraction_bits = 7;  // of a slope, 4 to 11: slopes reach 127 * 2^-fraction_bits
 };
 

@@ -21,7 +21,7 @@ struct TexturedMeshData : MeshData<Vertices, Triangles> {
 namespace detail {
 inline constexpr int16_t texcoord_one = 16384;
 
-constexpr int16_t texcoord_fraction(uint32_t i, uint32_t n) { return static_cast<int16_t>((uint32_t{16384} * i + n / 2) / n); }
+constexpr int16_t texcoord_fraction(uint32_t i, uint32_t n) { return static_cast<int16_t>((uint32_t{texcoord_one} * i + n / 2) / n); }
 
 /// Two triangles for each cell of a grid of (columns + 1) x (rows + 1) vertices, in rows from the top; at a pole, where a row is
 /// one point, one.
@@ -61,12 +61,7 @@ constexpr void fill_textured_torus(const ShapeArrays& t, TexCoord16* texcoords, 
             torus_vertex(t.positions[vertex], t.normals[vertex], fraction_of_turn(i, rings), fraction_of_turn(j, sides), minor);
             texcoords[vertex++] = {texcoord_fraction(i, rings), texcoord_fraction(j, sides)};
         }
-    for (uint32_t i = 0, triangle = 0; i < rings; ++i)
-        for (uint32_t j = 0; j < sides; ++j) {
-            const uint16_t here = index16(i * (sides + 1) + j), next = index16(here + 1u), along = index16(here + sides + 1), beyond = index16(along + 1u);
-            t.triangles[triangle++] = {here, along, beyond};
-            t.triangles[triangle++] = {here, beyond, next};
-        }
+    fill_grid(t.triangles, sides, rings, false);
 }
 
 template <uint32_t Slices, uint32_t Stacks>

@@ -85,7 +85,7 @@ constexpr void fill(uint8_t* first, int32_t count, uint8_t value) {
 
 template <PixelFormat Format>
 constexpr void clear(const Band<Format>& band, typename Format::Pixel background) {
-    detail::fill(band.pixels, band.width * band.rows, background);
+    detail::fill(band.pixels, pixels_a_row<Format>(band.width) * band.rows, background);
     if (band.depth != nullptr) detail::fill(band.depth, band.width * band.rows, far_depth);
 }
 
