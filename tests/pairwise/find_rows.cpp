@@ -27,7 +27,7 @@ int main() {
             for (int p = 0; p < 2; ++p)
                 for (int q = 0; q < 2; ++q) {
                     const Needs n = with(a, p, b, q);
-                    open[a][b][p][q] = has(n, a) == p && has(n, b) == q && !(p && q);
+                    open[a][b][p][q] = has(n, a) == p && has(n, b) == q;
                     left += open[a][b][p][q];
                 }
     std::mt19937 random(1);

@@ -24,41 +24,53 @@ constexpr Needs closed(Needs n) {
     n.halfway |= n.specular && !n.reflected;
     n.directional |= n.light_table || ((n.diffuse || n.specular) && !n.point);
     n.diffuse |= (n.directional || n.point) && !n.specular;
-    n.lit |= !n.unlit || n.diffuse || n.ambient || n.flat || n.phong;
+    n.lit |= !n.unlit || n.diffuse || n.ambient || n.specular || n.directional || n.point || n.flat || n.phong;
     return n;
 }
 
 /// Found by find_rows.cpp.
 inline constexpr Needs rows[] = {
-    {.perspective = true, .lit = true, .gouraud = true},
-    {.perspective = true, .lit = true, .flat = true, .phong = true, .spherical = true, .light_table = true, .bump = true,
-     .ambient = true, .diffuse = true, .specular = true, .halfway = true, .directional = true, .point = true, .falloff =
-     true, .local_viewer = true},
-    {.perspective = true, .orthographic = true, .lit = true, .gouraud = true, .vertex_colors = true, .texture = true,
-     .perspective_texture = true, .diffuse = true, .point = true, .attenuation = true, .range = true, .spot = true,
+    {.perspective = true, .lit = true, .flat = true, .gouraud = true, .phong = true, .texture = true,
+     .bilinear = true, .ambient = true, .diffuse = true, .specular = true, .halfway = true, .directional = true,
+     .point = true, .range = true, .stretch = true},
+    {.perspective = true, .orthographic = true, .depth = true, .lit = true, .unlit = true, .gouraud = true,
+     .phong = true, .spherical = true, .light_table = true, .vertex_colors = true, .perspective_texture = true,
+     .bump = true, .ambient = true, .specular = true, .halfway = true, .reflected = true, .directional = true,
+     .point = true, .attenuation = true, .falloff = true, .spot = true, .spot_exponent = true, .local_viewer = true},
+    {.perspective = true, .depth = true, .lit = true, .gouraud = true, .vertex_colors = true},
+    {.perspective = true, .orthographic = true, .lit = true, .gouraud = true, .texture = true, .bilinear = true,
+     .perspective_texture = true, .diffuse = true, .specular = true, .reflected = true, .point = true,
+     .attenuation = true, .falloff = true, .range = true, .spot = true, .spot_exponent = true, .local_viewer = true,
+     .stretch = true},
+    {.perspective = true, .orthographic = true, .lit = true, .unlit = true, .flat = true, .gouraud = true,
+     .phong = true, .spherical = true, .light_table = true, .vertex_colors = true, .texture = true,
+     .perspective_texture = true, .bump = true, .diffuse = true, .directional = true, .point = true,
+     .attenuation = true, .stretch = true},
+    {.perspective = true, .depth = true, .lit = true, .unlit = true, .flat = true, .gouraud = true, .phong = true,
+     .spherical = true, .light_table = true, .bilinear = true, .bump = true, .diffuse = true, .specular = true,
+     .halfway = true, .reflected = true, .directional = true, .point = true, .falloff = true, .range = true,
+     .spot = true, .local_viewer = true},
+    {.perspective = true, .lit = true, .flat = true, .phong = true, .spherical = true, .light_table = true,
+     .vertex_colors = true, .bilinear = true, .perspective_texture = true, .bump = true, .ambient = true,
+     .specular = true, .reflected = true, .directional = true, .local_viewer = true},
+    {.orthographic = true, .depth = true, .lit = true, .unlit = true, .flat = true, .gouraud = true, .texture = true,
+     .ambient = true, .specular = true, .halfway = true, .point = true, .falloff = true, .range = true, .spot = true,
      .spot_exponent = true, .stretch = true},
-    {.perspective = true, .orthographic = true, .depth = true, .lit = true, .unlit = true, .flat = true, .gouraud = true,
-     .phong = true, .texture = true, .bilinear = true, .perspective_texture = true, .specular = true, .halfway = true,
-     .reflected = true, .directional = true, .stretch = true},
-    {.perspective = true, .depth = true, .lit = true, .unlit = true, .gouraud = true, .phong = true, .spherical = true,
-     .light_table = true, .vertex_colors = true, .texture = true, .bilinear = true, .bump = true, .diffuse = true,
-     .directional = true, .point = true, .attenuation = true, .falloff = true, .spot = true, .spot_exponent = true},
-    {.perspective = true, .depth = true, .lit = true, .unlit = true, .gouraud = true, .vertex_colors = true, .ambient =
-     true, .specular = true, .halfway = true, .reflected = true, .directional = true, .point = true, .attenuation = true,
-     .range = true, .local_viewer = true, .stretch = true},
-    {.perspective = true, .lit = true, .flat = true, .gouraud = true, .phong = true, .spherical = true, .bilinear = true,
-     .perspective_texture = true, .bump = true, .ambient = true, .specular = true, .reflected = true, .point = true,
-     .falloff = true, .range = true, .spot = true, .local_viewer = true},
-    {.orthographic = true, .depth = true, .lit = true, .unlit = true, .gouraud = true, .phong = true, .spherical = true,
-     .light_table = true, .vertex_colors = true, .bilinear = true, .ambient = true, .diffuse = true, .directional = true},
-    {.perspective = true, .depth = true, .lit = true, .flat = true, .diffuse = true, .point = true, .falloff = true, .spot
-     = true, .spot_exponent = true},
+    {.perspective = true, .depth = true, .lit = true, .unlit = true, .flat = true, .gouraud = true, .phong = true,
+     .texture = true, .bilinear = true, .perspective_texture = true, .bump = true, .ambient = true, .diffuse = true,
+     .point = true, .attenuation = true, .range = true, .spot = true, .spot_exponent = true},
+    {.perspective = true, .orthographic = true, .lit = true, .unlit = true, .gouraud = true, .phong = true,
+     .spherical = true, .light_table = true, .texture = true, .bilinear = true, .diffuse = true, .specular = true,
+     .halfway = true, .directional = true, .local_viewer = true, .stretch = true},
+    {.perspective = true, .orthographic = true, .lit = true, .unlit = true, .gouraud = true, .phong = true,
+     .spherical = true, .diffuse = true, .point = true, .attenuation = true, .falloff = true, .stretch = true},
+    {.perspective = true, .orthographic = true, .depth = true, .lit = true, .gouraud = true, .vertex_colors = true,
+     .texture = true, .perspective_texture = true, .diffuse = true, .specular = true, .halfway = true,
+     .reflected = true, .directional = true, .point = true, .attenuation = true, .falloff = true, .range = true,
+     .spot = true, .spot_exponent = true},
     {.perspective = true, .lit = true, .unlit = true, .gouraud = true, .phong = true, .light_table = true,
-     .perspective_texture = true, .bump = true, .diffuse = true, .specular = true, .reflected = true, .directional = true,
-     .local_viewer = true, .stretch = true},
-    {.perspective = true, .orthographic = true, .unlit = true, .gouraud = true, .texture = true, .bilinear = true,
-     .perspective_texture = true, .specular = true, .reflected = true, .point = true, .attenuation = true, .spot = true,
-     .spot_exponent = true},
+     .ambient = true, .specular = true, .halfway = true, .directional = true},
+    {.perspective = true, .unlit = true, .gouraud = true},
 };
 inline constexpr std::size_t row_count = sizeof(rows) / sizeof(rows[0]);
 static_assert(row_count + 2 <= 32, "compiled pipelines are dear: those of all terms, with and without depth, and at most 30 others");
