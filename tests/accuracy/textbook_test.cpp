@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "accuracy/random_surface.hpp"
+#include "host_sim/bounds/random_surface.hpp"
 #include "accuracy/textbook_scene.hpp"
 #include "host_sim/report/unrounded.hpp"
 #include "host_sim/report/winners.hpp"
@@ -82,7 +82,7 @@ struct Agreement {
         EXPECT_LE(references_turned, references_max_difference_turned);
         EXPECT_LE(share_of_bound, 1.0);
         EXPECT_GT(engine, 0.0) << "the engine never differs: nothing was compared";
-        EXPECT_LT(beside_gate * 20, count) << "too much was left to the gate";
+        EXPECT_LT(beside_gate * 200, count) << "too much was left to the gate";
     }
 };
 
@@ -281,7 +281,7 @@ TYPED_TEST(Textbook, PlacesOnTheScreen) {
     }
     std::printf("[ %-7s  ] places on the screen: textbook to reference %.1e px, to the engine %.4f px of 1/16\n", TypeParam::name,
                 references, engine);
-    EXPECT_LE(references, 1e-9);
+    EXPECT_LE(references, 1e-12);
     EXPECT_LE(engine, 0.5 / 16 * 1.01);  // snapped to the nearest sixteenth
     EXPECT_GT(engine, 0.02);
 }

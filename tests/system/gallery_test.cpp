@@ -69,7 +69,7 @@ TEST(Gallery, the_page_shows_every_picture_and_quotes_the_figures_of_today) {
         EXPECT_NE(page.find("\n" + line + "\n"), std::string::npos) << "the page lacks: " << line;
         ++rows;
     }
-    EXPECT_GT(rows, 40);
+    EXPECT_GT(rows, 60);
 }
 
 TEST(Gallery, pictures_beside_each_other_differ_in_the_share_that_is_stated) {

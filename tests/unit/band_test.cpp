@@ -52,6 +52,17 @@ TEST(Clear, FillsPixelsOfThreeBytes) {
     for (int i = 0; i < 12; ++i) ASSERT_EQ(pixels[i], i < 10 ? (Rgb888::Pixel{1, 2, 3}) : Rgb888::Pixel{});
 }
 
+// Rows of packed greys begin on a byte: five pixels of 4 bits take three.
+constexpr bool clears_packed_rows_alone() {
+    uint8_t bytes[10]{};
+    bytes[9] = 0xAB;
+    clear(Band<Gray4>{bytes, nullptr, 5, 0, 3}, 0x7);
+    for (int i = 0; i < 9; ++i)
+        if (bytes[i] >> 4 != 7 || (i % 3 != 2 && (bytes[i] & 15) != 7)) return false;
+    return bytes[9] == 0xAB;
+}
+TEST(Clear, FillsPackedRowsToTheirOwnLength) { static_assert(clears_packed_rows_alone()); }
+
 TEST(Clear, DoesWithoutDepth) {
     uint16_t pixels[6] = {1, 1, 1, 1, 1, 1};
     clear(Band<Rgb565>{pixels, nullptr, 3, 0, 2}, 9);

@@ -136,8 +136,10 @@ TYPED_TEST(Lamp, IsContinuousAcrossTheCone) {
         largest = std::fmax(largest, std::fabs(now - previous));
         previous = now;
     }
+    EXPECT_GT(this->at(light), 0.9) << "inside, it is bright";
     EXPECT_EQ(previous, 0);
     EXPECT_LE(largest, steepest + this->rounding());
+    EXPECT_GE(largest, steepest / 2) << "a slope that is hardly there is no test of steps";
 }
 
 TYPED_TEST(Lamp, SpacesAgreeWhereTheyCoincide) {
