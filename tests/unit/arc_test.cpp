@@ -62,7 +62,7 @@ TEST(Arc, FollowsTheGreatCircle) {
         worst = std::fmax(worst, std::sqrt(dot(error, error)) * (angle < 1 ? 1 : sine));
     }
     RecordProperty("worst_ulp", std::to_string(worst * one));
-    EXPECT_LE(worst, arc_max_error_ulp / one);
+    EXPECT_LE(worst, arc_max_error.milli / 1000.0 / one);
 }
 
 TEST(Arc, OppositeNormalsTurnByWayOfTheAxisFarthestFromThem) {
@@ -72,6 +72,18 @@ TEST(Arc, OppositeNormalsTurnByWayOfTheAxisFarthestFromThem) {
     EXPECT_NEAR(middle.y, 0, 1e-8);
     const Vector end = vector(Arc(up, down).at(Q30::one));
     EXPECT_NEAR(end.y, -1, 1e-8);
+}
+
+// Rounded unit vectors are a little too short or too long: what remains of b off a then lies along a, and makes no plane.
+TEST(Arc, OppositeNormalsMayErrInTheirLengths) {
+    for (int32_t error = -3; error <= 3; ++error) {
+        const Normal30 a{{-Q30::one + error}, {0}, {0}}, b{{Q30::one}, {0}, {0}};
+        const Vector middle = vector(Arc(a, b).at(Q30::one / 2));
+        EXPECT_NEAR(dot(middle, middle), 1, 2e-8) << error;
+        EXPECT_NEAR(middle.x, 0, 1e-8) << error;
+        const Vector near = vector(Arc(b, b).at(Q30::one / 2));
+        EXPECT_NEAR(near.x, 1, 1e-8) << error;
+    }
 }
 
 TEST(Arc, EqualAndZeroNormalsMakeAPoint) {

@@ -31,7 +31,7 @@ SHADE16_ONCE constexpr Angle arctangent(Q30 y, Q30 x) {
     return {static_cast<uint32_t>(turns < 0 ? 0 : turns)};
 }
 
-inline constexpr int32_t arc_max_error_ulp = 32;  // of Q30, the whole vector: 3e-8; beyond a radian divided by sin(angle)
+inline constexpr Ulps arc_max_error = 32_ulps;  // of Q30, the whole vector: 3e-8; beyond a radian divided by sin(angle)
 
 /// The shorter arc of a great circle between two unit vectors. Opposite ones choose no plane: the arc then leads over the
 /// axis that is farthest from them, x before y before z. Equal ones, or a zero one, make a point.
@@ -40,16 +40,17 @@ public:
     constexpr Arc() = default;
     constexpr Arc(const Normal30& a, const Normal30& b) : from_(a) {
         const int32_t cosine = as_q30(dot(a, b));
-        const IVec3 rest = off(b, a);
-        across_ = normalize_finely(off(normalize_finely(rest), a));  // twice, for what rounding left where there is hardly any
-        const bool is_point = (rest.x | rest.y | rest.z) == 0;
-        if (is_point && cosine < 0) across_ = perpendicular(a);
+        const IVec3 rest = off(b, a), plane = off(normalize_finely(rest), a);  // twice, for what rounding left where there is hardly any
+        // Of equal and of opposite vectors nothing remains, or what their lengths err by, which lies along a.
+        const bool is_point = detail::magnitudes(plane) >> 27 == 0;
+        if (!is_point) across_ = normalize_finely(plane);
+        else if (cosine < 0) across_ = perpendicular(a);
         angle_ = is_point ? Angle{cosine < 0 ? uint32_t{1} << 31 : 0} : arctangent(length(rest), Q30{cosine});
     }
     constexpr Angle angle() const { return angle_; }
 
     /// The unit vector at t, Q30 from 0 to 1: cos(t angle) a + sin(t angle) p, p being perpendicular to a in the arc's plane.
-    /// Error: arc_max_error_ulp. Nothing is divided by sin(angle), and both ends of its range, 0 and half a turn, are as good as the middle.
+    /// Error: arc_max_error. Nothing is divided by sin(angle), and both ends of its range, 0 and half a turn, are as good as the middle.
     constexpr IVec3 at(int32_t t) const {
         const SinCos w = sincos({static_cast<uint32_t>(multiply(angle_.turns, static_cast<uint32_t>(t)) >> 30)});
         const auto component = [&](Q30 a, Q30 p) { return static_cast<int32_t>((multiply(a.raw, w.cos.raw) + multiply(p.raw, w.sin.raw)) >> 30); };
