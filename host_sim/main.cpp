@@ -12,6 +12,7 @@
 #include "host_sim/cli/materials.hpp"
 #include "host_sim/cli/preview.hpp"
 #include "host_sim/cli/render.hpp"
+#include "host_sim/cli/report.hpp"
 #include "host_sim/cli/signals.hpp"
 #include "host_sim/io/atomic_file.hpp"
 
@@ -30,6 +31,7 @@ struct Run {
     ExitCode operator()(const PreviewOptions& options) const { return preview(options); }
     ExitCode operator()(const MaterialsOptions& options) const { return materials(options); }
     ExitCode operator()(const GalleryOptions& options) const { return gallery(options); }
+    ExitCode operator()(const ReportOptions& options) const { return report(options); }
 };
 
 ExitCode refuse(ExitCode code, const char* sentence) {

@@ -28,6 +28,16 @@ foreach(group IN ITEMS unit accuracy raster system)
   endif()
 endforeach()
 
+# What must hold for any numbers, where RapidCheck is there to look for those for which it does not.
+find_package(rapidcheck QUIET)
+if(rapidcheck_FOUND)
+  shade16_add_test(properties_tests unit properties/numbers_test.cpp)
+  target_link_libraries(properties_tests PRIVATE rapidcheck)
+  set_tests_properties(properties_tests PROPERTIES ENVIRONMENT "RC_PARAMS=max_success=2000 seed=1")
+elseif("$ENV{SHADE16_REQUIRE_ALL}" STREQUAL "1")
+  message(FATAL_ERROR "RapidCheck is not installed, and SHADE16_REQUIRE_ALL asks for every test.")
+endif()
+
 # These compare the engine with the reference, or test the simulator itself.
 foreach(group IN ITEMS accuracy system)
   if(TARGET ${group}_tests AND TARGET host_sim_library)

@@ -26,6 +26,7 @@ public:
                                   : name == "preview" ? preview_help
                                   : name == "materials" ? materials_help
                                   : name == "gallery" ? gallery_help
+                                  : name == "report" ? report_help
                                                       : program_help;
         return begin + std::string("\n");
     }
@@ -51,7 +52,9 @@ public:
         gallery_ = app_.add_subcommand("gallery", "draw the pictures of docs/gallery.md; for whoever changes the engine");
         add_materials(*materials_, materials_options_);
         add_gallery(*gallery_, gallery_options_);
-        for (CLI::App* app : {&app_, render_, compare_, bake_, info_, preview_, materials_, gallery_}) app->footer(exit_codes_help);
+        report_ = app_.add_subcommand("report", "measure every bound that the engine promises: a page, JSON and a table");
+        add_report(*report_, report_options_);
+        for (CLI::App* app : {&app_, render_, compare_, bake_, info_, preview_, materials_, gallery_, report_}) app->footer(exit_codes_help);
     }
 
     Command parse(int argc, const char* const* argv) {
@@ -68,12 +71,14 @@ public:
         compare_options_.given = given_options(*compare_);
         info_options_.given = given_options(*info_);
         materials_options_.given = given_options(*materials_);
+        report_options_.given = given_options(*report_);
         if (render_->parsed()) return checked(render_options_);
         if (compare_->parsed()) return compare_options_;
         if (bake_->parsed()) return bake_options_;
         if (info_->parsed()) return info_options_;
         if (materials_->parsed()) return checked(materials_options_);
         if (gallery_->parsed()) return gallery_options_;
+        if (report_->parsed()) return checked(report_options_);
         return preview_options_;
     }
 
@@ -103,9 +108,17 @@ private:
         return o;
     }
 
+    /// Shards share a run over every input, and a merged report measures nothing.
+    static const ReportOptions& checked(const ReportOptions& o) {
+        if (o.given.contains("--shard") && !o.full) throw input_error("--shard: shares a run over every input; expected --full beside it.");
+        for (const char* option : {"--full", "--shard", "--only"})
+            if (!o.merge.empty() && o.given.contains(option)) throw input_error("{}: nothing is measured; expected no --merge beside it.", option);
+        return o;
+    }
+
     /// The command that was given, or nullptr.
     const CLI::App* called() const {
-        for (const CLI::App* app : {render_, compare_, bake_, info_, preview_, materials_, gallery_})
+        for (const CLI::App* app : {render_, compare_, bake_, info_, preview_, materials_, gallery_, report_})
             if (app->parsed()) return app;
         return nullptr;
     }
@@ -125,7 +138,7 @@ private:
             return unknown_word(unknown.front(), "command", commands(), "expected " + listed(commands()) + "; " + help);
         if (!unknown.empty())
             return fmt::format("{}: is one word too many; expected {}; {}.", unknown.front(),
-                               command == materials_ ? "options alone" : command == gallery_ ? "one directory" : "one model",
+                               command == materials_ ? "options alone" : command == gallery_ ? "one directory" : command == report_ ? "bounds alone" : "one model",
                                help);
         return reworded(error.get_name(), error.what()) + "; " + help + ".";
     }
@@ -145,7 +158,7 @@ private:
 
     CLI::App app_{"", "shade16"};
     CLI::App *render_ = nullptr, *compare_ = nullptr, *bake_ = nullptr, *info_ = nullptr, *preview_ = nullptr,
-             *materials_ = nullptr, *gallery_ = nullptr;
+             *materials_ = nullptr, *gallery_ = nullptr, *report_ = nullptr;
     RenderOptions render_options_{};
     CompareOptions compare_options_{};
     BakeOptions bake_options_{};
@@ -153,6 +166,7 @@ private:
     PreviewOptions preview_options_{};
     MaterialsOptions materials_options_{};
     GalleryOptions gallery_options_{};
+    ReportOptions report_options_{};
 };
 
 }  // namespace

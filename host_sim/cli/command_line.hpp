@@ -14,7 +14,7 @@ struct Answer {
 };
 
 using Command = std::variant<Answer, RenderOptions, CompareOptions, BakeOptions, InfoOptions, PreviewOptions, MaterialsOptions,
-                             GalleryOptions>;
+                             GalleryOptions, ReportOptions>;
 
 /// Throws input_error with one sentence.
 Command parse_command_line(int argc, const char* const* argv);

@@ -172,4 +172,17 @@ void add_gallery(CLI::App& app, GalleryOptions& o) {
     add_json(app, o.json);
 }
 
+void add_report(CLI::App& app, ReportOptions& o) {
+    app.add_option_function<std::string>("SUBJECT", [&](const std::string& word) { o.subject = subject_of(word); }, "what it is about: bounds")->required()->type_name("");
+    add(app, "-o,--output", "DIRECTORY", "where bounds.html, bounds.json and bounds.md go; it is made where there is none", [&](const std::string& path) {
+        o.output = path;
+    })->required();
+    add_flag(app, "--full", o.full, "measure every input: hours, not minutes");
+    add(app, "--shard", "I/N", "with --full: the I-th of N shares, from 0", [&](const std::string& word) { o.shard = shard_of(word); });
+    app.add_option("--merge", o.merge, "the bounds.json of every shard, instead of measuring")->type_name("FILE...");
+    add(app, "--only", "NAME", "functions whose names begin so", [&](const std::string& word) { o.only = word; });
+    add_flag(app, "--quiet", o.quiet, "print errors only");
+    add_json(app, o.json);
+}
+
 }  // namespace shade16::host

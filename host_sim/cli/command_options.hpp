@@ -16,5 +16,6 @@ void add_info(CLI::App& app, InfoOptions& o);
 void add_preview(CLI::App& app, PreviewOptions& o);
 void add_materials(CLI::App& app, MaterialsOptions& o);
 void add_gallery(CLI::App& app, GalleryOptions& o);
+void add_report(CLI::App& app, ReportOptions& o);
 
 }  // namespace shade16::host

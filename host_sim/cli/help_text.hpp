@@ -92,6 +92,18 @@ Draws the pictures of docs/gallery.md and prints the figures that the page quote
 are shown side by side differ in fewer pixels than the page says.
 )";
 
+inline constexpr const char* report_help =
+    R"(Examples:
+  shade16 report bounds -o out                          a minute: out/bounds.html, out/bounds.json, out/bounds.md
+  shade16 report bounds -o out --only rsqrt             some functions alone
+  shade16 report bounds -o out --full                   every input of every function of one argument: hours
+  shade16 report bounds -o out/0 --full --shard 0/2     the first of two halves of that
+  shade16 report bounds -o out --merge out/*/bounds.json
+
+Measures the error of every function of which the engine promises one, and of vertices in every tier. The exit code is 1
+when a bound is broken.
+)";
+
 inline constexpr const char* exit_codes_help =
     R"(Exit codes: 0 done, 1 a promise is broken, 2 wrong input or usage, 3 the machine could not read or write.
 )";

@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "host_sim/engine/formats.hpp"
 #include "shade16/pipeline/transform.hpp"
@@ -75,6 +76,21 @@ struct MaterialsOptions {
 struct GalleryOptions {
     std::string assets{}, output{};  // directories
     bool quiet = false, json = false;
+};
+
+/// One of `of` machines that share a run.
+struct ShardOption {
+    uint64_t number = 0, of = 1;
+};
+
+struct ReportOptions {
+    std::string subject{}, output{};  // output: a directory
+    std::string only{};               // names that begin so
+    bool full = false;                // every input
+    ShardOption shard{};
+    std::vector<std::string> merge{};  // read these instead of measuring
+    bool quiet = false, json = false;
+    std::set<std::string> given{};  // as in RenderOptions
 };
 
 struct InfoOptions {

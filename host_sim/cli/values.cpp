@@ -116,6 +116,18 @@ std::string dither_of(const std::string& word) {
     return word;
 }
 
+std::string subject_of(const std::string& word) {
+    expect_one_of("report", word, {"bounds"});
+    return word;
+}
+
+ShardOption shard_of(const std::string& word) {
+    const std::size_t slash = std::min(word.find('/'), word.size());
+    const std::optional<int> share = number(std::string_view(word).substr(0, slash)), of = number(std::string_view(word).substr(std::min(slash + 1, word.size())));
+    if (!share || !of || *of < 1 || *share < 0 || *share >= *of) throw input_error("--shard {}: expected I/N, a share from 0 to N - 1, such as 0/2.", word);
+    return {static_cast<uint64_t>(*share), static_cast<uint64_t>(*of)};
+}
+
 std::string picture_of(const std::string& path) {
     if (!has_ending(path, ".png"))
         throw input_error("--output {}: is no name of a picture; expected one that ends in .png.", path);

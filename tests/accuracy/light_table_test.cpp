@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "accuracy/random_surface.hpp"
+#include "host_sim/bounds/random_surface.hpp"
 
 namespace shade16::host {
 namespace {

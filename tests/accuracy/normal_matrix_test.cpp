@@ -2,7 +2,7 @@
 // does so, and breaks it against one that takes normals through the plain matrix: the promise can tell them apart.
 #include <gtest/gtest.h>
 
-#include "accuracy/random_surface.hpp"
+#include "host_sim/bounds/random_surface.hpp"
 
 namespace shade16::host {
 namespace {

@@ -5,7 +5,7 @@
 #include <deque>
 #include <vector>
 
-#include "accuracy/random_surface.hpp"
+#include "host_sim/bounds/random_surface.hpp"
 
 namespace shade16::host {
 

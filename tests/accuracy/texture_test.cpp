@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "accuracy/random_surface.hpp"
+#include "host_sim/bounds/random_surface.hpp"
 #include "host_sim/reference/texture.hpp"
 
 namespace shade16::host {

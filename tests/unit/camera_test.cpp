@@ -69,7 +69,7 @@ TEST(Camera, LooksFromTheEyeToTheTarget) {
         const double x = camera.eye.x.raw - camera.target.x.raw, y = camera.eye.y.raw - camera.target.y.raw, z = camera.eye.z.raw - camera.target.z.raw;
         const double length = std::sqrt(x * x + y * y + z * z);
         const IVec3 back = raw(look_rotation(camera).row[2]);
-        const double tolerance = std::ldexp(normalize_finely_max_error_ulp, -30);
+        const double tolerance = std::ldexp(normalize_finely_max_error.milli / 1000.0, -30);
         ASSERT_NEAR(std::ldexp(back.x, -30), x / length, tolerance);
         ASSERT_NEAR(std::ldexp(back.y, -30), y / length, tolerance);
         ASSERT_NEAR(std::ldexp(back.z, -30), z / length, tolerance);
@@ -80,9 +80,9 @@ TEST(Camera, TheClosestTargetStillGivesTheDirection) {
     for (const IVec3 d : {IVec3{1, 0, 0}, IVec3{0, 1, 0}, IVec3{3, 1, 0}, IVec3{-1, 2, -3}, IVec3{65, 19, -7}}) {
         const Camera camera{.eye = {Q16::from_raw(d.x), Q16::from_raw(d.y), Q16::from_raw(d.z)}};
         const IVec3 back = raw(look_rotation(camera).row[2]), exact = raw(normalize_finely(d));
-        EXPECT_NEAR(back.x, exact.x, normalize_finely_max_error_ulp) << d.x << ' ' << d.y << ' ' << d.z;
-        EXPECT_NEAR(back.y, exact.y, normalize_finely_max_error_ulp) << d.x << ' ' << d.y << ' ' << d.z;
-        EXPECT_NEAR(back.z, exact.z, normalize_finely_max_error_ulp) << d.x << ' ' << d.y << ' ' << d.z;
+        EXPECT_NEAR(back.x, exact.x, normalize_finely_max_error.milli / 1000.0) << d.x << ' ' << d.y << ' ' << d.z;
+        EXPECT_NEAR(back.y, exact.y, normalize_finely_max_error.milli / 1000.0) << d.x << ' ' << d.y << ' ' << d.z;
+        EXPECT_NEAR(back.z, exact.z, normalize_finely_max_error.milli / 1000.0) << d.x << ' ' << d.y << ' ' << d.z;
     }
 }
 

@@ -65,9 +65,9 @@ TEST(Face, NormalUnderAStretchIsThatOfTheStretchedFace) {
     // Of the corners times (1, 2, 4): (1000, 0, 4000) x (0, 2000, 2000).
     const double exact[3] = {-8e6, -2e6, 2e6}, length = std::sqrt(72e12);
     const IVec3 got = raw(lighting_face_normal<all_needs>(object, a, b, c));
-    EXPECT_NEAR(got.x, exact[0] / length * Unit14::one, normalize14_max_error_ulp);
-    EXPECT_NEAR(got.y, exact[1] / length * Unit14::one, normalize14_max_error_ulp);
-    EXPECT_NEAR(got.z, exact[2] / length * Unit14::one, normalize14_max_error_ulp);
+    EXPECT_NEAR(got.x, exact[0] / length * Unit14::one, normalize14_max_error.milli / 1000.0);
+    EXPECT_NEAR(got.y, exact[1] / length * Unit14::one, normalize14_max_error.milli / 1000.0);
+    EXPECT_NEAR(got.z, exact[2] / length * Unit14::one, normalize14_max_error.milli / 1000.0);
 }
 
 }  // namespace

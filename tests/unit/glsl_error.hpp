@@ -38,7 +38,7 @@ public:
     void expect_relative(int bound_log2) const {
         std::printf("[ measured ] %-12s 2^%.2f of 2^%d\n", name_, std::log2(worst_relative_), bound_log2);
         EXPECT_LE(worst_relative_, std::ldexp(1.0, bound_log2)) << name_;
-        EXPECT_GE(worst_relative_ * 1.6, std::ldexp(1.0, bound_log2)) << name_ << " promises less than it holds";
+        EXPECT_GE(worst_relative_ * 1.5, std::ldexp(1.0, bound_log2)) << name_ << " promises less than it holds";
     }
 
 private:

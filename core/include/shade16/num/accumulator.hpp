@@ -34,7 +34,10 @@ SHADE16_INLINE constexpr uint32_t scaled_term(uint32_t product, int shift) {
     return leading_zeros(product) >= -shift || product == 0 ? product << min(-shift, 31) : UINT32_MAX;
 }
 
-/// A colour as the accumulator holds it: 65535 becomes exactly 1.0, everything else is within one unit.
+inline constexpr int as_accumulator_max_error = 1;  // of 2^-24
+
+/// A colour as the accumulator holds it: 65535 becomes exactly 1.0.
+/// Error: as_accumulator_max_error.
 constexpr uint32_t as_accumulator(Unorm16 c) { return (uint32_t{c.raw} << 8) + (c.raw >> 8) + (c.raw >> 15); }
 template <Channels C = Channels::rgb>
 constexpr AccumulatorOf<C> as_accumulator(Rgb c) {

@@ -4,6 +4,7 @@
 #include "shade16/num/literal.hpp"
 #include "shade16/num/mulhi.hpp"
 #include "shade16/num/q30.hpp"
+#include "shade16/num/ulps.hpp"
 
 namespace shade16 {
 
@@ -22,8 +23,8 @@ struct Angle {
 
 consteval Angle operator""_deg(const char* digits) {
     // 2^32 / 360 is no integer: scale by 2^32 and divide once.
-    const uint64_t scaled = parse_decimal(digits, uint64_t{1} << 22, uint64_t{360} << 22);
-    return {static_cast<uint32_t>((scaled * 1024 + 180) / 360)};
+    const uint64_t scaled = parse_decimal(digits, uint64_t{1} << 32, uint64_t{360} << 32);
+    return {static_cast<uint32_t>((scaled + 180) / 360)};
 }
 consteval Angle operator""_turn(const char* digits) {
     return {static_cast<uint32_t>(parse_decimal(digits, uint64_t{1} << 32, uint64_t{1} << 32))};
@@ -43,11 +44,11 @@ inline constexpr uint32_t sine_reciprocals[5] = {0x0253C825, 0x038E38E4, 0x06186
 inline constexpr uint32_t cosine_reciprocals[5] = {0x02D82D83, 0x04924925, 0x08888889, 0x15555555, 0x80000000};
 }  // namespace detail
 
-inline constexpr int32_t sincos_max_error_ulp = 3;  // of Q30: 2.8e-9
+inline constexpr Ulps sincos_max_error = 1.3_ulps;  // of Q30: 1.2e-9
 
 /// sine and cosine.
 /// Range   any angle.
-/// Error   at most sincos_max_error_ulp ulp of Q30; exact at multiples of a quarter turn.
+/// Error   at most sincos_max_error; exact at multiples of a quarter turn.
 /// Cost    13 high multiplies.
 /// Source  Taylor series in Horner form on [-1/8, 1/8] turn, after folding by quarter turns.
 SHADE16_ONCE constexpr SinCos sincos(Angle angle) {

@@ -6,6 +6,9 @@
 
 namespace shade16 {
 
+/// Relative errors; a sum's of its larger operand, a rotation's of its largest component.
+inline constexpr int block_shortened_max_error_log2 = -31, block_product_max_error_log2 = -31, block_sum_max_error_log2 = -60, block_rotation_max_error_log2 = -29;
+
 /// The number mantissa * 2^exponent.
 struct Block {
     int64_t mantissa = 0;
@@ -21,7 +24,7 @@ struct Block {
     /// The number in units of 2^unit, rounded and saturated to 32 bits.
     constexpr int32_t in_units_of(int unit) const { return scale_by_power_of_two(mantissa, exponent - unit); }
 
-    /// The product. Error: 2^-30 relative.
+    /// The product. Error: block_product_max_error_log2.
     SHADE16_ONCE friend constexpr Block operator*(Block a, Scaled b) {
         const Block s = a.shortened();
         return {multiply(static_cast<int32_t>(clamp<int64_t>(s.mantissa, INT32_MIN, INT32_MAX)), b.mantissa), s.exponent + b.exponent - 32};
@@ -58,7 +61,7 @@ SHADE16_ONCE constexpr BlockVector component_product(Vec3 a, Vec3 b) {
     return {{multiply(a.x.raw, b.x.raw), -32}, {multiply(a.y.raw, b.y.raw), -32}, {multiply(a.z.raw, b.z.raw), -32}};
 }
 
-/// m * v. Error: 2^-29 of the largest component of v.
+/// m * v. Error: block_rotation_max_error_log2.
 SHADE16_ONCE constexpr BlockVector operator*(const Mat3& m, const BlockVector& v) {
     const int unit = v.top() - 30;
     const IVec3 mantissas = v.in_units_of(unit);

@@ -21,7 +21,9 @@ struct Luma {
     friend constexpr bool operator==(Luma, Luma) = default;
 };
 
-/// Error: 2^-32; none for greys, which are their own luma.
+inline constexpr int luma_max_error = 1;  // of 2^-32; none for greys, which are their own luma
+
+/// Error: luma_max_error.
 constexpr Luma luma_of(const Rgb& c) {
     const uint32_t sum = c.r.raw * LumaWeights::red + c.g.raw * LumaWeights::green + c.b.raw * LumaWeights::blue;  // one is 65535 * 65536
     return {sum + (sum >> 16)};
@@ -64,7 +66,7 @@ SHADE16_INLINE constexpr FactorIn<C> as_factor(const Rgb& c) {
     if constexpr (C == Channels::rgb) return c;
     else return luma_of(c);
 }
-/// Error: 2^-32; none for greys.
+/// Error: luma_max_error.
 template <Channels C>
 SHADE16_INLINE constexpr FactorIn<C> as_factor(const ColorFactor& c) {
     if constexpr (C == Channels::rgb) return c;

@@ -17,9 +17,11 @@ constexpr Mat3 transpose(const Mat3& m) {
     return {{{m.row[0].x, m.row[1].x, m.row[2].x}, {m.row[0].y, m.row[1].y, m.row[2].y}, {m.row[0].z, m.row[1].z, m.row[2].z}}};
 }
 
+inline constexpr Ulps mat3_product_max_error = 0.5_ulps;  // of Q30
+
 /// The matrix product.
 /// Range   rows and columns no longer than 1.15 (rotations), so that three products fit 64 bits.
-/// Error   0.5 ulp of Q30 an entry.
+/// Error   mat3_product_max_error, an entry.
 SHADE16_ONCE constexpr Mat3 operator*(const Mat3& a, const Mat3& b) {
     const Mat3 columns = transpose(b);
     Mat3 product;
@@ -30,8 +32,11 @@ SHADE16_ONCE constexpr Mat3 operator*(const Mat3& a, const Mat3& b) {
     return product;
 }
 
+inline constexpr Ulps rotate_max_error = 0.501_ulps;  // of the result
+
 /// m * v in the units of v, with `extra_bits` more fraction bits than v, each component rounded once and saturated.
-/// Error   0.5 ulp of the result.
+/// Range   any v; extra_bits from 0 to 14.
+/// Error   rotate_max_error.
 SHADE16_ONCE constexpr IVec3 rotate(const Mat3& m, IVec3 v, int extra_bits = 0) {
     const auto component = [&](const Normal30& r) {
         const int64_t quarter = (multiply(r.x.raw, v.x) >> 2) + (multiply(r.y.raw, v.y) >> 2) + (multiply(r.z.raw, v.z) >> 2);
@@ -68,7 +73,10 @@ struct Mat3x4 {
 
 constexpr Vec3 operator*(const Mat3x4& m, Vec3 v) { return m.rotation * v + m.translation; }
 constexpr Mat3x4 operator*(const Mat3x4& a, const Mat3x4& b) { return {a.rotation * b.rotation, a * b.translation}; }
+inline constexpr Ulps inverse_max_error = 3_ulps;  // of Q16, there and back again
+
 /// The inverse of a rigid transform: the transposed rotation.
+/// Range   translations and points up to 2048.  Error  inverse_max_error.
 constexpr Mat3x4 inverse(const Mat3x4& m) {
     const Mat3 back = transpose(m.rotation);
     return {back, -(back * m.translation)};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "shade16/num/rsqrt.hpp"
+#include "shade16/num/ulps.hpp"
 #include "shade16/num/vec.hpp"
 
 namespace shade16 {
@@ -17,13 +18,15 @@ SHADE16_INLINE constexpr IVec3 with_top_bit_at(IVec3 v, uint32_t magnitudes, int
 SHADE16_INLINE constexpr uint32_t magnitudes(IVec3 v) { return magnitude(v.x) | magnitude(v.y) | magnitude(v.z); }
 }  // namespace detail
 
-inline constexpr int32_t normalize14_max_error_ulp = 2;       // of Unit14, a component, with the table of 97
-inline constexpr int32_t normalize14_small_max_error_ulp = 4;  // with the table of 49
-inline constexpr int32_t normalize30_max_error_ulp = 64;  // of Q30, a component: 6e-8
+/// Errors of a component: of Unit14 with the table of 97 and with that of 49, and of Q30.
+inline constexpr Ulps normalize14_max_error = 2_ulps, normalize14_small_max_error = 4_ulps, normalize30_max_error = 64_ulps;
+/// Of the direction: a component is rounded when it is shifted and when it is multiplied, sqrt(3) (0.5 + 0.5), in 32 bits
+/// sqrt(3) (1 + 0.5); the length's error does not turn the vector.
+inline constexpr Ulps normalize14_max_angle = 1.733_ulps, normalize30_max_angle = 2.599_ulps;
 
 /// v / |v| in 16 bits.
 /// Range   any v; a zero vector gives a zero vector.
-/// Error   normalize14_max_error_ulp with Bits = 7 (1.41 measured), normalize14_small_max_error_ulp with Bits = 6 (3.50).
+/// Error   normalize14_max_error with Bits = 7, normalize14_small_max_error with Bits = 6.
 /// Cost    M0+ 171, M3 89 cycles (prototype figures).
 /// Source  block-floating shift, then x / sqrt(x.x).
 template <int Bits>
@@ -65,17 +68,17 @@ SHADE16_ONCE constexpr Normal30 normalize_wide(IVec3 v) {
 
 /// v / |v| in 32 bits.
 /// Range   any v; a zero vector gives a zero vector.
-/// Error   normalize30_max_error_ulp.
+/// Error   normalize30_max_error.
 /// Cost    M0+ 366, M3 137 cycles (prototype figures).
 constexpr Normal30 normalize30(IVec3 v) { return detail::normalize_wide<1>(v); }
 
-inline constexpr int32_t normalize_finely_max_error_ulp = 2;  // of Q30, a component
+inline constexpr Ulps normalize_finely_max_error = 2_ulps;  // of Q30, a component
 
 /// The same with one more Newton step, for what is made once a frame and scaled up by distances: cameras, directions.
-/// Error   normalize_finely_max_error_ulp.
+/// Error   normalize_finely_max_error.
 constexpr Normal30 normalize_finely(IVec3 v) { return detail::normalize_wide<2>(v); }
 
-/// v / |v| of a Q16 vector, as a user calls it. Error: normalize_finely_max_error_ulp.
+/// v / |v| of a Q16 vector, as a user calls it. Error: normalize_finely_max_error.
 constexpr Normal30 normalize(Vec3 v) { return normalize_finely(raw(v)); }
 
 }  // namespace shade16

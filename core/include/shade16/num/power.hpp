@@ -2,6 +2,7 @@
 #pragma once
 
 #include "shade16/num/rsqrt.hpp"
+#include "shade16/num/ulps.hpp"
 
 namespace shade16 {
 
@@ -19,10 +20,13 @@ struct RootsOfHalf {
     }
 };
 inline constexpr RootsOfHalf roots_of_half{};
+inline constexpr Ulps roots_of_half_max_error = 2_ulps;  // of 2^-64, floors of roots of floors
 }  // namespace detail
 
+inline constexpr int negative_log2_max_error_log2 = -45, exp2_negative_max_error_log2 = -32, power_of_complement_max_error_log2 = -31;
+
 /// -log2(x / 2^64) as Q48.
-/// Range   x > 0.  Error  2^-45.  Source  bit by bit: squaring doubles a logarithm.
+/// Range   x > 0.  Error  negative_log2_max_error_log2.  Source  bit by bit: squaring doubles a logarithm.
 constexpr uint64_t negative_log2(uint64_t x) {
     const int zeros = leading_zeros(x);
     x <<= zeros;  // the mantissa in [1/2, 1)
@@ -47,7 +51,7 @@ constexpr uint64_t exp2_of_fraction(uint64_t t) {
 }  // namespace detail
 
 /// 2^-t as Q32, for t in Q48; at most 2^32 - 1.
-/// Range   any t.  Error  2^-32.
+/// Range   any t.  Error  exp2_negative_max_error_log2.
 constexpr uint32_t exp2_negative(uint64_t t) {
     const uint64_t whole = t >> 48;
     if (whole > 32) return 0;
@@ -63,6 +67,7 @@ constexpr uint64_t times_q16(uint64_t t, uint32_t n) {
 }
 
 /// (1 - u)^n as Q32, for u in Q32 and n in Q16; at most 2^32 - 1.
+/// Range   n up to 1000.  Error  power_of_complement_max_error_log2.
 constexpr uint32_t power_of_complement(uint32_t u, uint32_t n) {
     if (u == 0) return UINT32_MAX;
     return exp2_negative(times_q16(negative_log2(uint64_t{0u - u} << 32), n));

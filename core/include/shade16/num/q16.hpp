@@ -3,8 +3,11 @@
 
 #include "shade16/num/literal.hpp"
 #include "shade16/num/mulhi.hpp"
+#include "shade16/num/ulps.hpp"
 
 namespace shade16 {
+
+inline constexpr Ulps q16_product_max_error = 0.5_ulps;
 
 /// A number in [-32768, 32768) in steps of 2^-16. Whole literals convert by themselves, fractions are written 1.5_q16.
 /// A value only known at run time comes in through from_raw or from_int: nothing converts silently.
@@ -34,7 +37,7 @@ struct Q16 {
     friend constexpr Q16 operator-(Q16 a) { return from_raw(saturate(-int64_t{a.raw})); }
 
     /// The product, rounded half up.
-    /// Error   0.5 ulp.  Cost  one long multiply; on M0+ four short ones.
+    /// Range   any; saturates.  Error  q16_product_max_error.  Cost  one long multiply; on M0+ four short ones.
     friend constexpr Q16 operator*(Q16 a, Q16 b) {
         return from_raw(saturate(shift_right_round(multiply(a.raw, b.raw), 16)));
     }

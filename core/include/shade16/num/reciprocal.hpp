@@ -28,10 +28,10 @@ struct ReciprocalTable {
 inline constexpr ReciprocalTable reciprocal_table{};
 }  // namespace detail
 
-inline constexpr int reciprocal_max_error_log2 = -28;
+inline constexpr uint32_t reciprocal_max_error = 8;  // relative, of 2^-32
 
 /// 2^63 / x, for a normalised x in [2^31, 2^32).
-/// Error   relative 2^reciprocal_max_error_log2.
+/// Error   reciprocal_max_error.
 /// Cost    one table read and three multiplies: M3 32 cycles, M0+ 89 (prototype figures).
 /// Source  Newton: r' = r (2 - x r).
 SHADE16_INLINE constexpr uint32_t reciprocal_of_normalized(uint32_t x) {
@@ -45,7 +45,7 @@ SHADE16_INLINE constexpr uint32_t reciprocal_of_normalized(uint32_t x) {
 
 /// 1/x.
 /// Range   x > 0; 0 gives the largest Scaled (mantissa and exponent at their ends).
-/// Error   relative 2^reciprocal_max_error_log2.
+/// Error   reciprocal_max_error.
 SHADE16_ONCE constexpr Scaled reciprocal(Scaled x) {
     if (x.is_zero()) return {UINT32_MAX, INT16_MAX};
     return {reciprocal_of_normalized(x.mantissa), 1 - x.exponent};

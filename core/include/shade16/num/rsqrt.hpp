@@ -73,9 +73,11 @@ SHADE16_INLINE constexpr uint32_t rsqrt_newton(uint32_t s) {
     return detail::rsqrt_step(rsqrt_linear<6>(s) << 16, s);
 }
 
+inline constexpr uint32_t scaled_sqrt_max_error = 260;  // relative, of 2^-32
+
 /// sqrt(x).
 /// Range   any x; 0 gives 0.
-/// Error   relative 2^-23, rsqrt_newton_max_error and one rounding.
+/// Error   scaled_sqrt_max_error: rsqrt_newton_max_error and one rounding.
 /// Source  sqrt(x) = x / sqrt(x).
 constexpr Scaled sqrt(Scaled x) {
     if (x.is_zero()) return {};

@@ -7,6 +7,8 @@
 
 namespace shade16 {
 
+inline constexpr int scaled_product_max_error_log2 = -32, scaled_sum_max_error_log2 = -31;  // relative
+
 /// The number mantissa * 2^(exponent - 32), never negative. Normalised: the mantissa is 0 or has its top bit set.
 struct Scaled {
     uint32_t mantissa = 0;
@@ -42,14 +44,14 @@ struct Scaled {
         return shift > -32 ? mantissa >> -shift : 0;
     }
 
-    /// The sum. Error: 2^-31 relative.
+    /// The sum. Error: scaled_sum_max_error_log2.
     friend constexpr Scaled operator+(Scaled a, Scaled b) {
         if (a.is_zero() || b.is_zero()) return a.is_zero() ? b : a;
         if (a.exponent < b.exponent) return b + a;
         const int apart = min(a.exponent - b.exponent, 32);
         return normalized((uint64_t{a.mantissa} << 30) + (uint64_t{b.mantissa} << 30 >> apart), a.exponent - 62);
     }
-    /// The product. Error: 2^-32 relative.
+    /// The product. Error: scaled_product_max_error_log2.
     friend constexpr Scaled operator*(Scaled a, Scaled b) {
         return normalized(multiply(a.mantissa, b.mantissa), a.exponent + b.exponent - 64);
     }

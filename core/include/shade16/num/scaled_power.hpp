@@ -53,11 +53,12 @@ constexpr Scaled scaled_exp2_of_fraction(uint32_t f) {
 }
 }  // namespace detail
 
-inline constexpr int scaled_power_max_error_log2 = -24;  // relative, for |p| up to 128 and results above 2^-128
+/// Relative, in units of 2^-40: this, and so much more for each unit of |p|. 2^-24 for the largest that lamps have, 128.
+inline constexpr uint32_t scaled_power_max_error = 2048, scaled_power_max_error_each = 388;
 
 /// x^p, p = exponent / 2^fraction_bits.
 /// Range   x > 0, fraction_bits up to 31; 0 gives 0 for a positive exponent and the largest Scaled for a negative one.
-/// Error   relative 2^-29 + |p| 2^-31.4: scaled_power_max_error_log2 at most.
+/// Error   relative 2^-29 + |p| 2^-31.4: scaled_power_max_error and scaled_power_max_error_each.
 /// Cost    three long multiplies and eleven high words.
 SHADE16_ONCE constexpr Scaled power(Scaled x, int32_t exponent, int fraction_bits) {
     if (x.is_zero()) return exponent > 0 ? Scaled{} : Scaled{UINT32_MAX, INT16_MAX};

@@ -1,11 +1,11 @@
-// How far a function that returns Q16 may be from the exact value. The nearest Q16 is at most half a unit away.
+// How far the result of a function may be from the exact value. The nearest number is at most half a unit away.
 #pragma once
 
 #include "shade16/num/literal.hpp"
 
 namespace shade16 {
 
-/// An amount of error, in thousandths of a unit in the last place of Q16, which is 2^-16.
+/// An amount of error, in thousandths of a unit in the last place of the result: 2^-16 for Q16.
 struct Ulps {
     uint32_t milli = 0;
     friend constexpr bool operator==(Ulps, Ulps) = default;
@@ -14,5 +14,8 @@ struct Ulps {
 consteval Ulps operator""_ulps(const char* digits) {
     return {static_cast<uint32_t>(parse_decimal(digits, 1000, 1'000'000))};
 }
+
+/// An entry of any table, in units of its last place: rounded from a number with guard bits.
+inline constexpr Ulps table_max_error = 0.501_ulps;
 
 }  // namespace shade16

@@ -1,0 +1,5 @@
+#include "host_sim/bounds/vertex_search.hpp"
+
+namespace shade16::bounds {
+template VertexFigures search<highp>(const VertexDomain&);
+}  // namespace shade16::bounds
