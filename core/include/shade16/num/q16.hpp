@@ -6,6 +6,8 @@
 
 namespace shade16 {
 
+inline constexpr int q16_product_max_error_log2 = -17;  // half an ulp
+
 /// A number in [-32768, 32768) in steps of 2^-16. Whole literals convert by themselves, fractions are written 1.5_q16.
 /// A value only known at run time comes in through from_raw or from_int: nothing converts silently.
 /// Out of range: every operation returns the nearest representable value. There is no operator/: see reciprocal.hpp.
@@ -34,7 +36,7 @@ struct Q16 {
     friend constexpr Q16 operator-(Q16 a) { return from_raw(saturate(-int64_t{a.raw})); }
 
     /// The product, rounded half up.
-    /// Error   0.5 ulp.  Cost  one long multiply; on M0+ four short ones.
+    /// Error   2^q16_product_max_error_log2, proved in tests/proof.  Cost  one long multiply; on M0+ four short ones.
     friend constexpr Q16 operator*(Q16 a, Q16 b) {
         return from_raw(saturate(shift_right_round(multiply(a.raw, b.raw), 16)));
     }
