@@ -21,7 +21,7 @@ function(shade16_add_test name label)
   set_tests_properties(${name} PROPERTIES TIMEOUT 300 LABELS "${label}")
 endfunction()
 
-foreach(group IN ITEMS unit accuracy raster system proof)
+foreach(group IN ITEMS unit accuracy raster system proof extremes)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${group}/*_test.cpp)
   if(sources)
     shade16_add_test(${group}_tests ${group} ${sources})
