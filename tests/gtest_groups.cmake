@@ -29,7 +29,7 @@ foreach(group IN ITEMS unit accuracy raster system proof extremes)
 endforeach()
 
 # These compare the engine with the reference, or test the simulator itself.
-foreach(group IN ITEMS accuracy system)
+foreach(group IN ITEMS accuracy system extremes)
   if(TARGET ${group}_tests AND TARGET host_sim_library)
     target_link_libraries(${group}_tests PRIVATE host_sim_library)
   endif()
