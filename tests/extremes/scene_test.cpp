@@ -59,9 +59,10 @@ TEST(SceneAtItsEnds, AWallAcrossTheGuardBandHasNoGaps) {
 TEST(SceneAtItsEnds, AFloorThroughTheNearPlaneHasNoGaps) {
     constexpr Viewport viewport{32, 24};
     const Object floor{.mesh = quad.mesh(), .material = plain, .pose = {.rotation = rotate_x(-90_deg), .scale = {1000, 1000, 1000}}};
-    for (const Q16 near : {one_ulp, 0.001_q16, 0.1_q16, Q16{1}, Q16{3}})
-        for (const Q16 height : {0.1_q16, Q16{1}, Q16{7}}) {
-            const Camera camera{.eye = {0.3_q16, height, 0.7_q16}, .target = {0.3_q16, height, -1}, .near_distance = near, .far_distance = 2000};
+    constexpr Q16 near_planes[] = {one_ulp, 0.001_q16, 0.1_q16, 1, 3}, heights[] = {0.1_q16, 1, 7}, aside = 0.3_q16, back = 0.7_q16, ahead = -1;
+    for (const Q16 near : near_planes)
+        for (const Q16 height : heights) {
+            const Camera camera{.eye = {aside, height, back}, .target = {aside, height, ahead}, .near_distance = near, .far_distance = 2000};
             const auto pixels = unlit_frame(wall_scene(floor, camera), viewport);
             // Rows that look down far enough to meet the floor beyond the near plane.
             for (int y = 0; y < viewport.height; ++y) {
