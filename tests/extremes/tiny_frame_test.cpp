@@ -1,8 +1,6 @@
 // Scenes that draw nothing, scenes of numbers outside their domain, and the smallest targets: drawn by the compiler.
 #include "extremes/tiny_frame.hpp"
 
-#include <gtest/gtest.h>
-
 namespace shade16::test {
 namespace {
 
@@ -16,7 +14,7 @@ constexpr Object wall[] = {{.mesh = quad.mesh(), .material = plain, .pose = enla
 constexpr Scene wall_scene{.objects = wall, .background = blue};
 
 TEST(TinyFrame, AWallFillsTheFrame) {
-    static_assert(in_every_tier([](auto tier) { return shows_only(frame_of<wall_scene, decltype(tier)>(), red); }));
+    EXPECT_AT_COMPILE_TIME(in_every_tier([](auto tier) { return shows_only(frame_of<wall_scene, decltype(tier)>(), red); }));
 }
 
 // --- Nothing to draw ---
@@ -27,9 +25,9 @@ constexpr Object no_vertices[] = {{.mesh = {}, .material = plain}};
 constexpr Scene without_triangles{.objects = no_triangles, .background = blue}, without_vertices{.objects = no_vertices, .background = blue};
 
 TEST(TinyFrame, AnEmptySceneIsItsBackground) {
-    static_assert(shows_only(frame_of<empty>(), blue));
-    static_assert(shows_only(frame_of<without_triangles>(), blue));
-    static_assert(shows_only(frame_of<without_vertices>(), blue));
+    EXPECT_AT_COMPILE_TIME(shows_only(frame_of<empty>(), blue));
+    EXPECT_AT_COMPILE_TIME(shows_only(frame_of<without_triangles>(), blue));
+    EXPECT_AT_COMPILE_TIME(shows_only(frame_of<without_vertices>(), blue));
 }
 
 constexpr Triangle same_corners[] = {{0, 0, 0}, {1, 1, 2}, {2, 3, 2}};
@@ -40,7 +38,7 @@ constexpr Object no_area[] = {{.mesh = {.positions = quad.positions, .triangles 
 constexpr Scene without_area{.objects = no_area, .background = blue};
 
 TEST(TinyFrame, TrianglesWithoutAreaDrawNothing) {
-    static_assert(in_every_tier([](auto tier) { return shows_only(frame_of<without_area, decltype(tier)>(), blue); }));
+    EXPECT_AT_COMPILE_TIME(in_every_tier([](auto tier) { return shows_only(frame_of<without_area, decltype(tier)>(), blue); }));
 }
 
 constexpr Camera beyond{.eye = {0, 0, -3}, .target = {0, 0, -6}};  // looks away from the wall
@@ -50,13 +48,13 @@ constexpr Scene all_behind{.camera = beyond, .objects = wall, .background = blue
     edge_on{.camera = in_its_plane, .objects = wall, .background = blue};
 
 TEST(TinyFrame, WhatLiesBehindTheEyeIsNotDrawn) {
-    static_assert(in_every_tier([](auto tier) { return shows_only(frame_of<all_behind, decltype(tier)>(), blue); }));
+    EXPECT_AT_COMPILE_TIME(in_every_tier([](auto tier) { return shows_only(frame_of<all_behind, decltype(tier)>(), blue); }));
 }
 TEST(TinyFrame, FacesThatFaceAwayAreNotDrawn) {
-    static_assert(in_every_tier([](auto tier) { return shows_only(frame_of<turned_away, decltype(tier)>(), blue); }));
+    EXPECT_AT_COMPILE_TIME(in_every_tier([](auto tier) { return shows_only(frame_of<turned_away, decltype(tier)>(), blue); }));
 }
 TEST(TinyFrame, AFaceSeenEdgeOnIsNotDrawn) {
-    static_assert(in_every_tier([](auto tier) { return shows_only(frame_of<edge_on, decltype(tier)>(), blue); }));
+    EXPECT_AT_COMPILE_TIME(in_every_tier([](auto tier) { return shows_only(frame_of<edge_on, decltype(tier)>(), blue); }));
 }
 
 constexpr Camera inside{.eye = {0.25_q16, 0.125_q16, 0}, .target = {1, 1, 1}, .fov_y = 120_deg, .near_distance = 0.01_q16};
@@ -64,7 +62,7 @@ constexpr Object around[] = {{.mesh = cube.mesh(), .material = plain}};
 constexpr Scene inside_a_solid{.camera = inside, .objects = around, .background = blue};
 
 TEST(TinyFrame, ACameraInsideASolidSeesItsBackgroundAlone) {
-    static_assert(in_every_tier([](auto tier) { return shows_only(frame_of<inside_a_solid, decltype(tier)>(), blue); }));
+    EXPECT_AT_COMPILE_TIME(in_every_tier([](auto tier) { return shows_only(frame_of<inside_a_solid, decltype(tier)>(), blue); }));
 }
 
 constexpr Object shrunk[] = {{.mesh = cube.mesh(), .material = plain, .pose = {.scale = {0, 0, 0}}}};
@@ -72,7 +70,7 @@ constexpr Object flattened[] = {{.mesh = cube.mesh(), .material = plain, .pose =
 constexpr Scene of_scale_zero{.objects = shrunk, .background = blue}, of_one_axis{.objects = flattened, .background = blue};
 
 TEST(TinyFrame, AScaleOfZeroDrawsNothing) {
-    static_assert(shows_only(frame_of<of_scale_zero>(), blue) && shows_only(frame_of<of_one_axis>(), blue));
+    EXPECT_AT_COMPILE_TIME(shows_only(frame_of<of_scale_zero>(), blue) && shows_only(frame_of<of_one_axis>(), blue));
 }
 
 // --- Cameras outside their domain ---
@@ -85,8 +83,8 @@ constexpr Scene far_before_near{.camera = with_near(0.25_q16, 0.125_q16), .objec
 
 TEST(TinyFrame, ANearPlaneAtOrBehindTheEyeIsOneUlpAway) {
     constexpr auto nearest = frame_of<near_one_ulp>();
-    static_assert(shows_only(nearest, red));
-    static_assert(same_pixels(frame_of<near_zero>(), nearest) && same_pixels(frame_of<near_negative>(), nearest));
+    EXPECT_AT_COMPILE_TIME(shows_only(nearest, red));
+    EXPECT_AT_COMPILE_TIME(same_pixels(frame_of<near_zero>(), nearest) && same_pixels(frame_of<near_negative>(), nearest));
 }
 TEST(TinyFrame, AFarPlaneBeforeTheNearOneStillDraws) { static_assert(shows_only(frame_of<far_before_near>(), red)); }
 
@@ -95,8 +93,8 @@ constexpr Scene fov_none{.camera = with_fov({0}), .objects = wall, .background =
     fov_wider{.camera = with_fov(270_deg), .objects = wall, .background = blue};
 
 TEST(TinyFrame, AFieldOfViewOutsideItsRangeIsTheNearestOne) {
-    static_assert(shows_only(frame_of<fov_none>(), red) && "the middle of the wall, as through a telescope");
-    static_assert(shows_only(frame_of<fov_half_turn>(), blue) && shows_only(frame_of<fov_wider>(), blue) && "the wall is a point");
+    EXPECT_AT_COMPILE_TIME(shows_only(frame_of<fov_none>(), red) && "the middle of the wall, as through a telescope");
+    EXPECT_AT_COMPILE_TIME(shows_only(frame_of<fov_half_turn>(), blue) && shows_only(frame_of<fov_wider>(), blue) && "the wall is a point");
 }
 
 constexpr Q16 largest = Q16::from_raw(INT32_MAX), smallest = Q16::from_raw(INT32_MIN);
@@ -157,10 +155,10 @@ constexpr Scene of_everything{.camera = local_camera, .lights = at_their_ends, .
 
 TEST(TinyFrame, TheLargestAndTheSmallestNumbersAreDefined) {
     // That this compiles is the test: nothing overflows on the way to a pixel.
-    static_assert(in_every_tier([](auto tier) { return frame_of<of_the_largest_numbers, decltype(tier)>().count == 48; }));
-    static_assert(in_every_tier([](auto tier) { return frame_of<of_everything, decltype(tier)>().count == 48; }));
-    static_assert(in_every_tier([](auto tier) { return frame_of<of_odd_normals, decltype(tier)>().count == 48; }));
-    static_assert(in_every_tier([](auto tier) { return frame_of<of_the_smallest_numbers, decltype(tier)>().pixels[24].r == 255; }));
+    EXPECT_AT_COMPILE_TIME(in_every_tier([](auto tier) { return frame_of<of_the_largest_numbers, decltype(tier)>().count == 48; }));
+    EXPECT_AT_COMPILE_TIME(in_every_tier([](auto tier) { return frame_of<of_everything, decltype(tier)>().count == 48; }));
+    EXPECT_AT_COMPILE_TIME(in_every_tier([](auto tier) { return frame_of<of_odd_normals, decltype(tier)>().count == 48; }));
+    EXPECT_AT_COMPILE_TIME(in_every_tier([](auto tier) { return frame_of<of_the_smallest_numbers, decltype(tier)>().pixels[24].r == 255; }));
 }
 
 // --- Light that is missing ---
@@ -171,21 +169,21 @@ constexpr Object no_normals[] = {{.mesh = {.positions = quad.positions, .triangl
 constexpr Scene without_normals{.lights = dim_and_bright, .objects = no_normals, .background = blue};
 
 TEST(TinyFrame, AMeshWithoutNormalsHasAmbientLightAlone) {
-    static_assert(in_every_tier([](auto tier) { return shows_only(frame_of<without_normals, decltype(tier)>(), rgb(0x800000)); }));
+    EXPECT_AT_COMPILE_TIME(in_every_tier([](auto tier) { return shows_only(frame_of<without_normals, decltype(tier)>(), rgb(0x800000)); }));
 }
 
 constexpr Object unlit_wall[] = {{.mesh = quad.mesh(), .material = {.ambient = white, .diffuse = rgb(0x204060), .specular = white, .emissive = white, .unlit = true}, .pose = enlarged}};
 constexpr Scene unlit_among_lights{.lights = dim_and_bright, .objects = unlit_wall, .background = blue};
 
 TEST(TinyFrame, AnUnlitObjectIsItsColourWhateverShines) {
-    static_assert(in_every_tier([](auto tier) { return shows_only(frame_of<unlit_among_lights, decltype(tier)>(), rgb(0x204060)); }));
+    EXPECT_AT_COMPILE_TIME(in_every_tier([](auto tier) { return shows_only(frame_of<unlit_among_lights, decltype(tier)>(), rgb(0x204060)); }));
 }
 
 constexpr Object unlit_by_nothing[] = {{.mesh = quad.mesh(), .material = {.diffuse = white, .specular = white}, .pose = enlarged}};
 constexpr Scene without_light{.objects = unlit_by_nothing, .background = blue};
 
 TEST(TinyFrame, WithoutLightALitObjectIsBlack) {
-    static_assert(in_every_tier([](auto tier) { return shows_only(frame_of<without_light, decltype(tier)>(), black); }));
+    EXPECT_AT_COMPILE_TIME(in_every_tier([](auto tier) { return shows_only(frame_of<without_light, decltype(tier)>(), black); }));
 }
 
 // --- The smallest targets ---
@@ -196,28 +194,28 @@ constexpr Object lit_wall[] = {{.mesh = quad.mesh(), .material = {.diffuse = whi
 constexpr Scene lit_scene{.lights = headlight, .objects = lit_wall, .background = black};
 
 TEST(TinyFrame, OnePixelIsATarget) {
-    static_assert(in_every_tier([](auto tier) { return shows_only(frame_of<wall_scene, decltype(tier), 1, 1>(), red); }));
-    static_assert(shows_only(frame_of<wall_scene, mediump, 1, 1, Rgb565>(), red) && shows_only(frame_of<lit_scene, mediump, 1, 1, Rgb565>(), white));
-    static_assert(shows_only(frame_of<wall_scene, mediump, 1, 1, Rgb565Swapped>(), red));
-    static_assert(frame_of<white_scene, mediump, 1, 1, Gray8>().pixels[0] == 0xFF);
-    static_assert(frame_of<white_scene, mediump, 1, 1, Gray4>().pixels[0] == 0xF0 && "the other half of the byte is background");
-    static_assert(frame_of<white_scene, mediump, 1, 1, Mono1>().pixels[0] == 0x80);
-    static_assert(frame_of<white_scene, mediump, 1, 1, Dithered<Mono1, bayer8>>().pixels[0] == 0x80);
+    EXPECT_AT_COMPILE_TIME(in_every_tier([](auto tier) { return shows_only(frame_of<wall_scene, decltype(tier), 1, 1>(), red); }));
+    EXPECT_AT_COMPILE_TIME(shows_only(frame_of<wall_scene, mediump, 1, 1, Rgb565>(), red) && shows_only(frame_of<lit_scene, mediump, 1, 1, Rgb565>(), white));
+    EXPECT_AT_COMPILE_TIME(shows_only(frame_of<wall_scene, mediump, 1, 1, Rgb565Swapped>(), red));
+    EXPECT_AT_COMPILE_TIME(frame_of<white_scene, mediump, 1, 1, Gray8>().pixels[0] == 0xFF);
+    EXPECT_AT_COMPILE_TIME(frame_of<white_scene, mediump, 1, 1, Gray4>().pixels[0] == 0xF0 && "the other half of the byte is background");
+    EXPECT_AT_COMPILE_TIME(frame_of<white_scene, mediump, 1, 1, Mono1>().pixels[0] == 0x80);
+    EXPECT_AT_COMPILE_TIME(frame_of<white_scene, mediump, 1, 1, Dithered<Mono1, bayer8>>().pixels[0] == 0x80);
 }
 
 constexpr Object wide_wall[] = {{.mesh = quad.mesh(), .material = plain, .pose = {.scale = {128, 128, 128}}}};
 constexpr Scene wide_scene{.objects = wide_wall, .background = blue};
 
 TEST(TinyFrame, OneRowOrOneColumnIsATarget) {
-    static_assert(in_every_tier([](auto tier) {
+    EXPECT_AT_COMPILE_TIME(in_every_tier([](auto tier) {
         using Tier = decltype(tier);
         return shows_only(frame_of<wide_scene, Tier, 64, 1>(), red) && shows_only(frame_of<wide_scene, Tier, 1, 64>(), red);
     }));
 }
 
 TEST(TinyFrame, ReplayedVerticesDrawTheSameSmallestFrame) {
-    static_assert(same_pixels(frame_of<lit_scene, mediump, 1, 1, Rgb888, VertexStore::replay>(), frame_of<lit_scene, mediump, 1, 1>()));
-    static_assert(shows_only(frame_of<without_triangles, mediump, 2, 2, Rgb888, VertexStore::replay>(), blue));
+    EXPECT_AT_COMPILE_TIME(same_pixels(frame_of<lit_scene, mediump, 1, 1, Rgb888, VertexStore::replay>(), frame_of<lit_scene, mediump, 1, 1>()));
+    EXPECT_AT_COMPILE_TIME(shows_only(frame_of<without_triangles, mediump, 2, 2, Rgb888, VertexStore::replay>(), blue));
 }
 
 }  // namespace
