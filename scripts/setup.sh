@@ -9,7 +9,7 @@ if [[ ${1:-} != --demo ]]; then
   packages+=(
     clang lld libgtest-dev libgmock-dev librapidcheck-dev ffmpeg assimp-testmodels
     gcc-arm-none-eabi binutils-arm-none-eabi libnewlib-arm-none-eabi
-    gcc-riscv64-unknown-elf binutils-riscv64-unknown-elf qemu-system-arm python3
+    gcc-riscv64-unknown-elf binutils-riscv64-unknown-elf qemu-system-arm python3 gappa
   )
 fi
 

@@ -24,7 +24,7 @@ ctest --preset host-clang --label-regex unit
 
 say "host, address and undefined-behaviour sanitizers"
 build host-sanitize --target checks
-ctest --preset host-sanitize --label-regex 'unit|raster|golden|accuracy'
+ctest --preset host-sanitize --label-regex 'unit|raster|golden|accuracy|extremes'
 
 say "host"
 build host

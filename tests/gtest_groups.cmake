@@ -21,7 +21,7 @@ function(shade16_add_test name label)
   set_tests_properties(${name} PROPERTIES TIMEOUT 300 LABELS "${label}")
 endfunction()
 
-foreach(group IN ITEMS unit accuracy raster system)
+foreach(group IN ITEMS unit accuracy raster system proof extremes)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${group}/*_test.cpp)
   if(sources)
     shade16_add_test(${group}_tests ${group} ${sources})
@@ -39,7 +39,7 @@ elseif("$ENV{SHADE16_REQUIRE_ALL}" STREQUAL "1")
 endif()
 
 # These compare the engine with the reference, or test the simulator itself.
-foreach(group IN ITEMS accuracy system)
+foreach(group IN ITEMS accuracy system extremes)
   if(TARGET ${group}_tests AND TARGET host_sim_library)
     target_link_libraries(${group}_tests PRIVATE host_sim_library)
   endif()

@@ -14,6 +14,13 @@ struct SurfacePoint {
     int32_t count = 1;
 };
 
+/// What the products and sums of light add to the errors of N.L and of the power, which the rest of the promise is for. In units of
+/// 2^-32, for one light at intensity 1 or less; of a stronger one times the next power of two. Proved in tests/proof.
+template <PrecisionTier Tier>
+inline constexpr uint32_t light_term_max_error = Arithmetic<Tier>::wide ? 262 : 33'029;  // of diffuse or specular light alone
+template <PrecisionTier Tier>
+inline constexpr uint32_t color_sum_max_error = 2 * light_term_max_error<Tier> + 512 + (Arithmetic<Tier>::wide ? 0 : 65'536);
+
 namespace detail {
 /// The vector from a surface point to another point, of any length.
 SHADE16_INLINE constexpr IVec3 towards(const LatticePoint& point, const SurfacePoint& surface, bool stretched, const Stretch& stretch) {

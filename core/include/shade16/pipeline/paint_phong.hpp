@@ -45,7 +45,7 @@ private:
         if constexpr (N.bump)
             if (maps.bump != nullptr) {
                 const auto slope = maps.template slope<N>(at);
-                normal = turned<Tier>(normal, tangents, slope.s, slope.t, maps.bump->fraction_bits + 15);
+                normal = turned<Tier>(normal, tangents, slope.s, slope.t, maps.slope_bits);
             }
         FactorIn<channels> factor{};
         const bool has_factor = set_factor(factor, s, at);

@@ -89,13 +89,16 @@ struct TextureLookup {
     bool bilinear = false;
     bool by_depth = false;  // in perspective
     int bits = 27;          // fraction bits of a TextureSample
+    int slope_bits = 22;    // fraction bits of a slope
 
     constexpr TextureLookup() = default;
     constexpr TextureLookup(const Object& o, bool perspective)
         : texture(detail::has_texture(o) ? o.material.texture.at : nullptr), bump(detail::has_bump(o) ? o.material.bump.at : nullptr),
           bilinear(o.material.filter == Filter::bilinear),
           by_depth(perspective && o.material.mapping == Mapping::perspective && (texture != nullptr || bump != nullptr)),
-          bits(13 + o.mesh.texcoord_bits) {}
+          bits(13 + clamp<int>(o.mesh.texcoord_bits, 0, 15)) {
+        if (bump != nullptr) slope_bits = 15 + clamp<int>(bump->fraction_bits, 4, 11);
+    }
 
     /// The coordinates at a pixel.
     template <Needs N>

@@ -1,0 +1,38 @@
+# Runs a proof with the numbers of the headers: NUMBERS prints those of TIER, with CLAIM (full, or half of each bound).
+# A full claim must be proved without a warning; a lowered one must fail, and because it does not hold, not for a mistake in it.
+include(${CMAKE_CURRENT_LIST_DIR}/../scripts/run.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/../scripts/skip.cmake)
+shade16_skip_without_program(gappa)
+
+shade16_run(numbers ${NUMBERS} ${TIER} ${CLAIM})
+string(REGEX MATCHALL "[^\n]+" numbers "${numbers}")
+foreach(number IN LISTS numbers)
+  string(REGEX MATCH "^([A-Za-z0-9_]+)=(.*)$" whole "${number}")
+  set(${CMAKE_MATCH_1} "${CMAKE_MATCH_2}")
+endforeach()
+
+file(READ ${PROOF} text)
+string(REGEX MATCHALL "@[A-Za-z0-9_]+@" names "${text}")
+foreach(name IN LISTS names)
+  string(REPLACE "@" "" name ${name})
+  if("${${name}}" STREQUAL "")
+    message(FATAL_ERROR "${PROOF} asks for ${name}, and print_numbers prints no such number.")
+  endif()
+endforeach()
+
+get_filename_component(stem ${PROOF} NAME_WE)
+set(proof ${SCRATCH}/${stem}.${TIER}.${CLAIM}.gappa)
+configure_file(${PROOF} ${proof} @ONLY)
+execute_process(COMMAND ${program_gappa} ${proof} OUTPUT_VARIABLE printed ERROR_VARIABLE complaint RESULT_VARIABLE status TIMEOUT 60)
+
+if(CLAIM STREQUAL "full")
+  if(NOT status EQUAL 0 OR NOT "${printed}${complaint}" STREQUAL "")
+    message(FATAL_ERROR "Gappa ended with '${status}' on ${proof}:\n${printed}${complaint}")
+  endif()
+  message("Proved: ${proof}")
+else()
+  if(NOT status EQUAL 1 OR NOT "${complaint}" MATCHES "^Error: some properties were not satisfied:\n")
+    message(FATAL_ERROR "${CLAIM} of the bounds of ${proof} should be beyond proof. Gappa ended with '${status}':\n${printed}${complaint}")
+  endif()
+  message("Not proved, as it should be: ${proof}\n${complaint}")
+endif()
