@@ -14,6 +14,9 @@ function(shade16_identity_test machine)
   set_tests_properties(identity.${machine} PROPERTIES TIMEOUT 900)  # a minute on a machine at leisure
 endfunction()
 
+# Emulated machines are slow.
+option(SHADE16_IDENTITY_ALL "A million arguments for every kernel also on emulated boards, ten thousand on the AVR: minutes each" OFF)
+
 if(BOARD)
   include(identity/on_board.cmake)
 elseif(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")

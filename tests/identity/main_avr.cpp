@@ -46,7 +46,7 @@ extern "C" {
 
 [[gnu::used]] void shade16_say_hashes() {
     control = transmit;
-    shade16::identity::SHADE16_KERNELS({.quick = 10'000, .slow = 1'000});
+    shade16::identity::SHADE16_KERNELS({.quick = SHADE16_INPUTS, .slow = SHADE16_INPUTS});
     shade16::console::exit(0);
 }
 

@@ -96,7 +96,8 @@ void run_powers(const KernelRun& run) {
     run("negative_log2", [](Numbers& n) { return negative_log2(max<uint64_t>(n.any64(), 1)); }, Pace::slow);
     run("exp2_negative", [](Numbers& n) { return exp2_negative(n.any64()); }, Pace::slow);
     run("times_q16", [](Numbers& n) { const Both x{n.any64(), n.any()}; return times_q16(x.a, x.b); });
-    run("power_of_complement", [](Numbers& n) { const Both x{n.any(), n.any()}; return power_of_complement(x.a, x.b); }, Pace::slow);
+    const auto complement = [](Numbers& n) { const Both x{n.any(), n.any()}; return power_of_complement(x.a, x.b); };
+    run("power_of_complement", complement, Pace::slow);
     run("log2_of_normalized", [](Numbers& n) { return detail::log2_of_normalized(n.mantissa()); });
     run("exp2_of_fraction", [](Numbers& n) { return detail::scaled_exp2_of_fraction(n.any()); });
     run("scaled_power", [](Numbers& n) {
@@ -152,7 +153,8 @@ void run_colors(const KernelRun& run) {
 
 void say_number_kernels(Inputs inputs) {
     const KernelRun run("number", inputs);
-    run_multiplies(run), run_shifts(run), run_roots(run), run_quotients(run), run_scaled(run), run_powers(run), run_shininess(run), run_colors(run);
+    run_multiplies(run), run_shifts(run), run_roots(run), run_quotients(run);
+    run_scaled(run), run_powers(run), run_shininess(run), run_colors(run);
 }
 
 }  // namespace shade16::identity

@@ -56,8 +56,11 @@ public:
         return {mantissa(), exponent};
     }
     constexpr Q16 q16() { return Q16::from_raw(any_signed()); }
-    /// In [0, 1), or at its end.
-    constexpr Q16 share() { return Q16::from_raw(static_cast<int32_t>(below(65535) + below(2))); }
+    /// From 0 to 1 less 2^-16.
+    constexpr Q16 share() {
+        const uint32_t below_end = below(65535);
+        return Q16::from_raw(static_cast<int32_t>(below_end + below(2)));
+    }
     constexpr Angle angle() { return {below(4) == 0 ? any() : bits()}; }
     constexpr IVec3 ivec3() { return {any_signed(), any_signed(), any_signed()}; }
     constexpr Vec3 vec3() { return {q16(), q16(), q16()}; }

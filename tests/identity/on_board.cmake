@@ -1,6 +1,5 @@
 # The board's image, where there is an emulator to run it. A Cortex-M0 makes a logarithm of 48 64-bit products a million times in a quarter
 # of a minute, so slow kernels get a tenth of the arguments, unless somebody asks for all.
-option(SHADE16_IDENTITY_ALL "A million arguments for every kernel also on emulated boards: some two minutes each" OFF)
 if(NOT BOARD_EMULATOR)
   return()
 endif()

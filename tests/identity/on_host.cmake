@@ -22,7 +22,8 @@ shade16_add_script_test(identity.differences_are_found LABEL identity SCRIPT ide
 # Accepts what this computer says today; the target 'bless' does it, too.
 if(TARGET identity_gcc-O2)
   add_custom_target(bless_identity
-    COMMAND ${CMAKE_COMMAND} -DPROGRAM=${CMAKE_CURRENT_BINARY_DIR}/identity/gcc-O2/identity -P ${CMAKE_CURRENT_SOURCE_DIR}/identity/bless.cmake
+    COMMAND ${CMAKE_COMMAND} -DPROGRAM=${CMAKE_CURRENT_BINARY_DIR}/identity/gcc-O2/identity
+            -P ${CMAKE_CURRENT_SOURCE_DIR}/identity/bless.cmake
     DEPENDS identity_gcc-O2
     COMMENT "Rewriting tests/identity/hashes.txt"
     VERBATIM)
