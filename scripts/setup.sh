@@ -10,7 +10,9 @@ if [[ ${1:-} != --demo ]]; then
     clang lld libgtest-dev libgmock-dev librapidcheck-dev ffmpeg assimp-testmodels
     gcc-arm-none-eabi binutils-arm-none-eabi libnewlib-arm-none-eabi
     gcc-riscv64-unknown-elf binutils-riscv64-unknown-elf qemu-system-arm python3 gappa
+    gcc-avr simavr
   )
+  command -v node >/dev/null || packages+=(nodejs)  # of whatever origin
 fi
 
 if ! command -v dpkg-query >/dev/null; then

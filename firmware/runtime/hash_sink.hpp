@@ -2,6 +2,7 @@
 #pragma once
 
 #include <runtime/console.hpp>
+#include <runtime/fnv1a.hpp>
 #include <shade16/shade16.hpp>
 #ifdef SHADE16_FRAME_FILES
 #include <runtime/frame_file.hpp>
@@ -9,13 +10,13 @@
 
 namespace shade16 {
 
-/// FNV-1a over the pixels' bytes, in the order a display would take them.
+/// A hash over the pixels' bytes, in the order a display would take them.
 template <PixelFormat Format>
 class HashSinkOf {
 public:
     void flush([[maybe_unused]] Area area, const typename Format::Pixel* pixels, size_t bytes, bool last) {
         const auto* byte = reinterpret_cast<const unsigned char*>(pixels);
-        for (size_t i = 0; i < bytes; ++i) hash_ = (hash_ ^ byte[i]) * 16777619u;
+        for (size_t i = 0; i < bytes; ++i) hash_.add(byte[i]);
 #ifdef SHADE16_FRAME_FILES
         file_.template add<Format>(area, pixels, last);
 #endif
@@ -28,12 +29,12 @@ private:
         console::print("frame ");
         console::print_decimal(frame_++);
         console::print(" ");
-        console::print_hex(hash_);
+        console::print_hex(hash_.value);
         console::print("\n");
-        hash_ = 2166136261u;
+        hash_ = {};
     }
 
-    uint32_t hash_ = 2166136261u;
+    Fnv1a hash_{};
     uint32_t frame_ = 0;
 #ifdef SHADE16_FRAME_FILES
     FrameFile file_{};

@@ -15,7 +15,7 @@ namespace shade16 {
 /// Range   any x; 32 for x = 0 (the builtin is undefined there).
 SHADE16_INLINE constexpr int leading_zeros(uint32_t x) {
     if (x == 0) return 32;
-    if constexpr (sizeof(unsigned int) >= 4) return __builtin_clz(x);
+    if constexpr (sizeof(unsigned int) >= 4) return __builtin_clz(static_cast<unsigned int>(x));
     return __builtin_clzl(x);  // AVR: int is 16 bits, long is 32
 }
 
@@ -64,9 +64,9 @@ SHADE16_INLINE constexpr int32_t saturate(int64_t x) {
 }
 
 /// x * 2^n for any n, rounded half up when n < 0, saturated when n > 0.
-SHADE16_ONCE constexpr int32_t scale_by_power_of_two(int64_t x, int n) {
+SHADE16_ONCE constexpr int32_t scale_by_power_of_two(int64_t x, int32_t n) {
     if (n < -63) return 0;
-    if (n <= 0) return saturate(shift_right_round(x, -n));
+    if (n <= 0) return saturate(shift_right_round(x, static_cast<int>(-n)));
     if (x == 0) return 0;
     if (n >= leading_zeros(magnitude(x)) - 1) return x < 0 ? INT32_MIN : INT32_MAX;
     return saturate(static_cast<int64_t>(static_cast<uint64_t>(x) << n));

@@ -12,7 +12,7 @@ inline constexpr int block_shortened_max_error_log2 = -31, block_product_max_err
 /// The number mantissa * 2^exponent.
 struct Block {
     int64_t mantissa = 0;
-    int exponent = 0;
+    int32_t exponent = 0;
 
     /// The same number with at most 31 significant bits, rounded.
     SHADE16_ONCE constexpr Block shortened() const {
@@ -20,9 +20,9 @@ struct Block {
         return excess > 0 ? Block{shift_right_round(mantissa, excess), exponent + excess} : *this;
     }
     /// The smallest p for which |number| <= 2^p; very small for 0.
-    constexpr int top() const { return mantissa == 0 ? -1000 : 64 - leading_zeros(magnitude(mantissa)) + exponent; }
+    constexpr int32_t top() const { return mantissa == 0 ? -1000 : 64 - leading_zeros(magnitude(mantissa)) + exponent; }
     /// The number in units of 2^unit, rounded and saturated to 32 bits.
-    constexpr int32_t in_units_of(int unit) const { return scale_by_power_of_two(mantissa, exponent - unit); }
+    constexpr int32_t in_units_of(int32_t unit) const { return scale_by_power_of_two(mantissa, exponent - unit); }
 
     /// The product. Error: block_product_max_error_log2.
     SHADE16_ONCE friend constexpr Block operator*(Block a, Scaled b) {
@@ -32,11 +32,11 @@ struct Block {
     SHADE16_ONCE friend constexpr Block operator+(Block a, Block b) {
         if (a.mantissa == 0) return b;
         if (b.mantissa == 0) return a;
-        const int unit = max(a.top(), b.top()) - 61;
+        const int32_t unit = max(a.top(), b.top()) - 61;
         const auto aligned = [unit](Block x) {
-            const int shift = x.exponent - unit;
+            const int32_t shift = x.exponent - unit;
             if (shift >= 0) return static_cast<int64_t>(static_cast<uint64_t>(x.mantissa) << shift);
-            return shift > -63 ? shift_right_round(x.mantissa, -shift) : 0;
+            return shift > -63 ? shift_right_round(x.mantissa, static_cast<int>(-shift)) : 0;
         };
         return {aligned(a) + aligned(b), unit};
     }
@@ -47,8 +47,8 @@ struct Block {
 struct BlockVector {
     Block x, y, z;
 
-    constexpr int top() const { return max(x.top(), max(y.top(), z.top())); }
-    SHADE16_ONCE constexpr IVec3 in_units_of(int unit) const { return {x.in_units_of(unit), y.in_units_of(unit), z.in_units_of(unit)}; }
+    constexpr int32_t top() const { return max(x.top(), max(y.top(), z.top())); }
+    SHADE16_ONCE constexpr IVec3 in_units_of(int32_t unit) const { return {x.in_units_of(unit), y.in_units_of(unit), z.in_units_of(unit)}; }
     SHADE16_ONCE friend constexpr BlockVector operator+(const BlockVector& a, const BlockVector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
     SHADE16_ONCE friend constexpr BlockVector operator-(const BlockVector& a, const BlockVector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
     SHADE16_ONCE friend constexpr BlockVector operator*(const BlockVector& a, Scaled k) { return {a.x * k, a.y * k, a.z * k}; }
@@ -63,7 +63,7 @@ SHADE16_ONCE constexpr BlockVector component_product(Vec3 a, Vec3 b) {
 
 /// m * v. Error: block_rotation_max_error_log2.
 SHADE16_ONCE constexpr BlockVector operator*(const Mat3& m, const BlockVector& v) {
-    const int unit = v.top() - 30;
+    const int32_t unit = v.top() - 30;
     const IVec3 mantissas = v.in_units_of(unit);
     const auto component = [&](const Normal30& r) {
         return Block{multiply(r.x.raw, mantissas.x) + multiply(r.y.raw, mantissas.y) + multiply(r.z.raw, mantissas.z), unit - 30};

@@ -57,7 +57,7 @@ SHADE16_INLINE constexpr uint32_t reciprocal_of_normalized(uint32_t x) {
 /// Error   reciprocal_max_error.
 SHADE16_ONCE constexpr Scaled reciprocal(Scaled x) {
     if (x.is_zero()) return {UINT32_MAX, INT16_MAX};
-    return {reciprocal_of_normalized(x.mantissa), 1 - x.exponent};
+    return {reciprocal_of_normalized(x.mantissa), 1 - int32_t{x.exponent}};
 }
 
 namespace detail {

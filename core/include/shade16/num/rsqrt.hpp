@@ -83,7 +83,7 @@ constexpr Scaled sqrt(Scaled x) {
     if (x.is_zero()) return {};
     const int odd = x.exponent & 1;
     const uint32_t s = x.mantissa >> odd;  // x = s * 2^(exponent + odd - 32), an even power
-    return Scaled::normalized(multiply(s, rsqrt_newton(s)), (x.exponent + odd) / 2 - 63);
+    return Scaled::normalized(multiply(s, rsqrt_newton(s)), (int32_t{x.exponent} + odd) / 2 - 63);
 }
 
 }  // namespace shade16

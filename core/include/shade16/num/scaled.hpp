@@ -10,15 +10,16 @@ namespace shade16 {
 inline constexpr int scaled_product_max_error_log2 = -32, scaled_sum_max_error_log2 = -31;  // relative
 
 /// The number mantissa * 2^(exponent - 32), never negative. Normalised: the mantissa is 0 or has its top bit set.
+/// Exponents are added with 32 bits, since an int has 16 on AVR.
 struct Scaled {
     uint32_t mantissa = 0;
     int16_t exponent = 0;
 
-    SHADE16_ONCE static constexpr Scaled normalized(uint64_t value, int exponent_of_bit_0) {
+    SHADE16_ONCE static constexpr Scaled normalized(uint64_t value, int32_t exponent_of_bit_0) {
         if (value == 0) return {};
         const int shift = 32 - leading_zeros(value);
         uint64_t mantissa = shift > 0 ? shift_right_round(value, shift) : value << -shift;
-        int exponent = exponent_of_bit_0 + shift + 32;
+        int32_t exponent = exponent_of_bit_0 + shift + 32;
         if (mantissa >> 32) {  // rounding carried into the 33rd bit
             mantissa >>= 1;
             ++exponent;
@@ -27,7 +28,7 @@ struct Scaled {
     }
 
     constexpr Scaled() = default;
-    constexpr Scaled(uint32_t m, int e) : mantissa(m), exponent(static_cast<int16_t>(clamp<int>(e, INT16_MIN, INT16_MAX))) {}
+    constexpr Scaled(uint32_t m, int32_t e) : mantissa(m), exponent(static_cast<int16_t>(clamp<int32_t>(e, INT16_MIN, INT16_MAX))) {}
     consteval Scaled(int whole) {
         if (whole < 0) literal_is_out_of_range_for_its_type();
         *this = normalized(static_cast<uint64_t>(whole), 0);
@@ -38,7 +39,7 @@ struct Scaled {
 
     /// The number with `fraction_bits` fraction bits, rounded down; UINT64_MAX when it does not fit.
     constexpr uint64_t to_fixed(int fraction_bits) const {
-        const int shift = exponent - 32 + fraction_bits;
+        const int32_t shift = int32_t{exponent} - 32 + fraction_bits;
         if (shift > 32) return mantissa == 0 ? 0 : UINT64_MAX;
         if (shift >= 0) return uint64_t{mantissa} << shift;
         return shift > -32 ? mantissa >> -shift : 0;
@@ -48,12 +49,12 @@ struct Scaled {
     friend constexpr Scaled operator+(Scaled a, Scaled b) {
         if (a.is_zero() || b.is_zero()) return a.is_zero() ? b : a;
         if (a.exponent < b.exponent) return b + a;
-        const int apart = min(a.exponent - b.exponent, 32);
-        return normalized((uint64_t{a.mantissa} << 30) + (uint64_t{b.mantissa} << 30 >> apart), a.exponent - 62);
+        const int32_t apart = min<int32_t>(int32_t{a.exponent} - b.exponent, 32);
+        return normalized((uint64_t{a.mantissa} << 30) + (uint64_t{b.mantissa} << 30 >> apart), int32_t{a.exponent} - 62);
     }
     /// The product. Error: scaled_product_max_error_log2.
     friend constexpr Scaled operator*(Scaled a, Scaled b) {
-        return normalized(multiply(a.mantissa, b.mantissa), a.exponent + b.exponent - 64);
+        return normalized(multiply(a.mantissa, b.mantissa), int32_t{a.exponent} + b.exponent - 64);
     }
 };
 

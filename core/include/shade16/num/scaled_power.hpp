@@ -67,7 +67,7 @@ SHADE16_ONCE constexpr Scaled power(Scaled x, int32_t exponent, int fraction_bit
     const int64_t below = whole & ((int64_t{1} << fraction_bits) - 1);
     const int64_t rest = (below << (32 - fraction_bits)) + shift_right_round(fraction, fraction_bits);  // Q32
     const Scaled mantissa = detail::scaled_exp2_of_fraction(static_cast<uint32_t>(rest));
-    return {mantissa.mantissa, static_cast<int>(clamp<int64_t>((whole >> fraction_bits) + (rest >> 32) + mantissa.exponent, INT16_MIN, INT16_MAX))};
+    return {mantissa.mantissa, static_cast<int32_t>(clamp<int64_t>((whole >> fraction_bits) + (rest >> 32) + mantissa.exponent, INT16_MIN, INT16_MAX))};
 }
 
 }  // namespace shade16

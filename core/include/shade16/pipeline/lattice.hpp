@@ -55,8 +55,8 @@ constexpr Stretch make_stretch(Vec3 scale) {
 }
 
 constexpr LatticePoint as_lattice_point(const BlockVector& v) {
-    const int unit = max(v.top() - 28, -12);
-    return {v.in_units_of(unit), static_cast<int8_t>(clamp(-unit, -100, 12))};
+    const int32_t unit = max<int32_t>(v.top() - 28, -12);
+    return {v.in_units_of(unit), static_cast<int8_t>(clamp<int32_t>(-unit, -100, 12))};
 }
 
 /// Where the frame of reference of lighting lies for one object.

@@ -94,7 +94,7 @@ constexpr ViewTransform make_view_transform(const View3& view, const Pose& pose,
     }
     const Block offsets[3] = {offset.x * focal, -(offset.y * focal), -offset.z};
 
-    int unit = max(w_orthographic.top(), view.near_distance.top() - 1) - 29;
+    int32_t unit = max(w_orthographic.top(), view.near_distance.top() - 1) - 29;
     for (int i = 0; i < 3; ++i) {
         unit = max(unit, offsets[i].top() - 29);
         for (int j = 0; j < 3; ++j) unit = max(unit, rows[i][j].top() - 12);

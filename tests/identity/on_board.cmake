@@ -1,0 +1,23 @@
+# The board's image, where there is an emulator to run it. A Cortex-M0 makes a logarithm of 48 64-bit products a million times in a quarter
+# of a minute, so slow kernels get a tenth of the arguments, unless somebody asks for all.
+if(NOT BOARD_EMULATOR)
+  return()
+endif()
+
+set(slow_inputs 100000)
+if(SHADE16_IDENTITY_ALL)
+  set(slow_inputs 1000000)
+endif()
+
+list(TRANSFORM identity_all PREPEND ${PROJECT_SOURCE_DIR}/ OUTPUT_VARIABLE sources)
+set(kinds kernel frame)
+if(BOARD_SCENES)
+  list(APPEND kinds large_frame)
+else()
+  list(FILTER sources EXCLUDE REGEX "large_frames")
+endif()
+
+shade16_add_image(identity ${PROJECT_SOURCE_DIR}/tests/identity/main.cpp)
+target_sources(identity PRIVATE ${sources})
+target_compile_definitions(identity PRIVATE SHADE16_SLOW_INPUTS=${slow_inputs} $<$<BOOL:${BOARD_SCENES}>:SHADE16_LARGE_FRAMES>)
+shade16_identity_test(${BOARD} PROGRAMS $<TARGET_FILE:identity> KINDS ${kinds} LEAST ${slow_inputs} EMULATOR ${BOARD_EMULATOR})
