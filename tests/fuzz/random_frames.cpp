@@ -1,7 +1,9 @@
 // Random frames of random scenes, as many as one wants: random_frames [--frames N] [--shard I/N] [--seed S] [--only FRAME]
 // Each frame has bytes of its own, so that a fault is found again by its number alone. Shards are shares of the same frames.
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
@@ -34,9 +36,7 @@ struct Summary {
         for (const uint64_t count : of_target) every_target = every_target && count > 0;
         return needs == all_needs && every_target && 2 * shown >= frames;
     }
-    void print() const {
-        std::printf("%llu random frames, %llu of them not empty, on %zu targets.\n", static_cast<unsigned long long>(frames),
-                    static_cast<unsigned long long>(shown), of_target.size());
+    void print_what_is_missing() const {
         for (std::size_t i = 0; i < of_target.size(); ++i)
             if (of_target[i] == 0) std::printf("No frame was for %s %s.\n", targets[i].tier, targets[i].format);
         for (const host::Term& term : host::terms)
@@ -57,44 +57,47 @@ void draw(uint64_t seed, uint64_t number, Summary& summary) {
     summary.needs = summary.needs | needs_of(*scene.drawing().scene);
 }
 
+[[noreturn]] void refuse_command_line() {
+    std::fprintf(stderr, "usage: random_frames [--frames N] [--shard I/N, I from 1 to N] [--seed S] [--only FRAME]\n");
+    std::exit(2);
+}
+
 uint64_t number(std::string_view text) {
     uint64_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size()) {
-        std::fprintf(stderr, "random_frames: '%.*s' is no whole number.\n", static_cast<int>(text.size()), text.data());
-        std::exit(2);
-    }
+    if (error != std::errc{} || end != text.data() + text.size()) refuse_command_line();
     return value;
+}
+
+void read_option(std::string_view name, std::string_view value, Options& o) {
+    const std::size_t slash = std::min(value.find('/'), value.size());
+    if (name == "--frames") o.frames = number(value);
+    else if (name == "--seed") o.seed = number(value);
+    else if (name == "--only") o.only = number(value);
+    else if (name == "--shard" && slash < value.size()) o.shard = number(value.substr(0, slash)), o.shards = number(value.substr(slash + 1));
+    else refuse_command_line();
 }
 
 Options options_of(int argc, char** argv) {
     Options o;
-    for (int i = 1; i + 1 < argc; i += 2) {
-        const std::string_view name = argv[i], value = argv[i + 1];
-        const std::size_t slash = value.find('/');
-        if (name == "--frames") o.frames = number(value);
-        else if (name == "--seed") o.seed = number(value);
-        else if (name == "--only") o.only = number(value);
-        else if (name == "--shard" && slash != value.npos) o.shard = number(value.substr(0, slash)), o.shards = number(value.substr(slash + 1));
-        else argc = 0;
-    }
-    if (argc % 2 == 0 || o.shard < 1 || o.shard > o.shards) {
-        std::fprintf(stderr, "usage: random_frames [--frames N] [--shard I/N, I from 1 to N] [--seed S] [--only FRAME]\n");
-        std::exit(2);
-    }
+    for (int i = 1; i < argc; i += 2) read_option(argv[i], i + 1 < argc ? argv[i + 1] : "", o);
+    if (o.shard < 1 || o.shard > o.shards) refuse_command_line();
     return o;
 }
 
 int run(const Options& o) {
     Summary summary;
-    for (uint64_t i = o.shard - 1; i < o.frames; i += o.shards) {
-        if (o.only && i != *o.only) continue;
+    const uint64_t first = o.only.value_or(o.shard - 1), end = o.only ? first + 1 : o.frames;
+    for (uint64_t i = first; i < end; i += o.shards) {
         frame_at_hand = i;
         draw(o.seed, i, summary);
         if (summary.frames % 10'000 == 0) std::printf("%llu frames\n", static_cast<unsigned long long>(summary.frames)), std::fflush(stdout);
     }
-    summary.print();
-    return o.only || summary.means_something() ? 0 : 1;
+    std::printf("%llu random frames, %llu of them not empty.\n", static_cast<unsigned long long>(summary.frames), static_cast<unsigned long long>(summary.shown));
+    if (o.only || summary.means_something()) return 0;
+    summary.print_what_is_missing();
+    std::printf("That is no test of everything: there must be more frames, or others.\n");
+    return 1;
 }
 
 }  // namespace
@@ -102,5 +105,6 @@ int run(const Options& o) {
 
 int main(int argc, char** argv) {
     __sanitizer_set_death_callback(shade16::fuzz::say_which_frame);
+    std::signal(SIGABRT, [](int) { shade16::fuzz::say_which_frame(); });  // of a check that fails
     return shade16::fuzz::run(shade16::fuzz::options_of(argc, argv));
 }
