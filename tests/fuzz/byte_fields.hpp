@@ -17,6 +17,7 @@ public:
     uint32_t below(uint32_t n) { return bytes_.below(n); }
     bool one_in(uint32_t n) { return bytes_.one_in(n); }
     uint16_t u16() { return bytes_.u16(); }
+    int8_t i8() { return static_cast<int8_t>(bytes_.u8()); }
     int16_t i16() { return static_cast<int16_t>(bytes_.u16()); }
     template <class Enum>
     Enum one_of(uint32_t count) {
@@ -48,7 +49,10 @@ public:
         return {r, g, b};
     }
     Scaled intensity() {
-        if (is_extreme()) return Scaled::normalized(bytes_.u64(), i16());
+        if (is_extreme()) {
+            const uint32_t mantissa = bytes_.u32();
+            return {mantissa, i16()};
+        }
         return Scaled::normalized(bytes_.u16(), -15);
     }
     Mat3 rotation() {

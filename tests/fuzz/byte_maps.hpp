@@ -1,4 +1,5 @@
-// ByteMaps: a texture and a relief with as many texels as they say, so that one look-up beside them is seen by the sanitizer.
+// ByteMaps: a texture and a relief with as many texels as they say, so that one look-up beside them is seen by the sanitizer. Sizes and
+// fraction bits are always those of a map: nobody checks them a pixel.
 #pragma once
 
 #include <vector>
@@ -17,7 +18,7 @@ public:
 
         relief_.width_log2 = side_log2(f), relief_.height_log2 = side_log2(f);
         slopes_.resize(std::size_t{1} << (relief_.width_log2 + relief_.height_log2));
-        for (std::size_t i = 0; i < slopes_.size() && i < most_given; ++i) slopes_[i] = {slope(f), slope(f)};
+        for (std::size_t i = 0; i < slopes_.size() && i < most_given; ++i) slopes_[i] = {f.i8(), f.i8()};
         relief_.texels = {slopes_.data(), static_cast<uint32_t>(slopes_.size())};
         relief_.fraction_bits = static_cast<uint8_t>(4 + f.below(8));
     }
@@ -31,7 +32,6 @@ private:
     static constexpr std::size_t most_given = 16;  // texels from bytes; the others are 0
 
     static uint8_t side_log2(ByteFields& f) { return static_cast<uint8_t>(f.is_extreme() ? f.below(12) : f.below(5)); }
-    static int8_t slope(ByteFields& f) { return static_cast<int8_t>(f.below(256)); }
 
     std::vector<uint16_t> texels_{};
     std::vector<Slope8> slopes_{};

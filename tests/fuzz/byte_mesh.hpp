@@ -1,5 +1,6 @@
 // ByteMesh: a mesh and its arrays from bytes. Built-in shapes, or points and triangles with nothing in common; sometimes with
-// positions at the ends of 16 bits, normals of any length, and corners that coincide.
+// positions at the ends of 16 bits, normals of any length, and corners that coincide. Indices, numbers of elements and texcoord_bits are
+// always those of a mesh: nobody checks them a pixel.
 #pragma once
 
 #include <vector>
@@ -24,7 +25,7 @@ public:
         mesh_.positions = view(positions_), mesh_.normals = view(normals_), mesh_.colors = view(colors_);
         mesh_.texcoords = view(texcoords_), mesh_.triangles = view(triangles_);
         mesh_.centre = f.is_extreme() ? f.vec3(-16384'000, 16383'000) : Vec3{};
-        if (f.is_extreme()) mesh_.fraction_bits = static_cast<int8_t>(f.below(31));
+        if (f.is_extreme()) mesh_.fraction_bits = f.i8();
         if (f.is_extreme()) mesh_.texcoord_bits = static_cast<int8_t>(f.below(16));
         mesh_.convex = f.one_in(2);
     }
@@ -61,7 +62,7 @@ private:
         }
     }
     void scatter(ByteFields& f) {
-        const uint32_t vertices = 3 + f.below(14), triangles = 1 + f.below(12);
+        const uint32_t vertices = 3 + f.below(14), triangles = f.below(12);
         const bool has_texcoords = f.one_in(2);
         for (uint32_t i = 0; i < vertices; ++i) {
             positions_.push_back(position(f)), normals_.push_back(normal(f));

@@ -7,7 +7,7 @@ ByteScene::ByteScene(Bytes bytes) : f_(bytes) {
     scene_.camera = camera();
     scene_.background = f_.color();
     lights_ = lights(f_.is_extreme() ? f_.below(65) : f_.below(5));
-    for (uint32_t count = 1 + f_.below(3); count > 0; --count) objects_.push_back(object());
+    for (uint32_t count = f_.is_extreme() ? f_.below(9) : 1 + f_.below(3); count > 0; --count) objects_.push_back(object());
     scene_.lights = {lights_.data(), static_cast<uint32_t>(lights_.size())};
     scene_.objects = {objects_.data(), static_cast<uint32_t>(objects_.size())};
     choose_frame();
@@ -100,6 +100,7 @@ Object ByteScene::object() {
     o.mesh = meshes_.back().mesh();
     o.material = material();
     if (!o.mesh.texcoords.empty() && f_.one_in(2)) choose_maps(o.material);
+    if ((o.material.unlit || o.material.shading == Shading::flat) && f_.one_in(2)) o.mesh.normals = {};  // nobody needs them
     o.pose = pose();
     return o;
 }

@@ -19,10 +19,6 @@ public:
         const uint32_t low = u16();
         return low | uint32_t{u16()} << 16;
     }
-    uint64_t u64() {
-        const uint64_t low = u32();
-        return low | uint64_t{u32()} << 32;
-    }
 
     /// 0 to n - 1, n up to 256.
     uint32_t below(uint32_t n) { return u8() * n >> 8; }
