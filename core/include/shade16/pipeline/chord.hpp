@@ -14,11 +14,13 @@ SHADE16_INLINE constexpr uint32_t chord_of_difference(int32_t x, int32_t y, int3
 }
 
 /// u = |N - H|^2 / 2 = 1 - N.H, from the chord: lengths err only relative to u, and sharp highlights stay exact.
-/// Q29 from 16-bit vectors, Q32 from 32-bit ones, saturated.
+/// Q29 from 16-bit vectors, Q32 from 32-bit ones, saturated. A difference of 16-bit components may exceed 2.0 where a stored normal is
+/// no unit vector: its square still fits 32 bits, though not with a sign.
 /// Source  R. F. Lyon, Phong Shading Reformulation for Hardware Renderer Simplification, 1993.
 SHADE16_INLINE constexpr uint32_t chord(const Normal14& a, const Normal14& b) {
-    const int32_t x = a.x.raw - b.x.raw, y = a.y.raw - b.y.raw, z = a.z.raw - b.z.raw;
-    return static_cast<uint32_t>(x * x) + static_cast<uint32_t>(y * y) + static_cast<uint32_t>(z * z);
+    const int32_t x = int32_t{a.x.raw} - b.x.raw, y = int32_t{a.y.raw} - b.y.raw, z = int32_t{a.z.raw} - b.z.raw;
+    const auto squared = [](int32_t d) { return static_cast<uint32_t>(d) * static_cast<uint32_t>(d); };
+    return squared(x) + squared(y) + squared(z);
 }
 SHADE16_INLINE constexpr uint32_t chord(const Normal30& a, const Normal30& b) {
     const auto half = [](Q30 p, Q30 q) { return static_cast<int32_t>((int64_t{p.raw} - q.raw) >> 1); };
