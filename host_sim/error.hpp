@@ -7,12 +7,14 @@
 
 #include <fmt/format.h>
 
+#include "host_sim/printable.hpp"
+
 namespace shade16::host {
 
 enum class ExitCode : int { ok = 0, check = 1, input = 2, io = 3 };
 
 struct Error : std::runtime_error {
-    Error(ExitCode exit_code, const std::string& sentence) : std::runtime_error(sentence), code(exit_code) {}
+    Error(ExitCode exit_code, const std::string& sentence) : std::runtime_error(printable(sentence)), code(exit_code) {}
     ExitCode code;
 };
 

@@ -7,7 +7,7 @@ packages=(cmake ninja-build g++ libglm-dev libcli11-dev libfmt-dev nlohmann-json
   libtinyobjloader-dev libmeshoptimizer-dev libpng-dev libtomlplusplus-dev zlib1g-dev)
 if [[ ${1:-} != --demo ]]; then
   packages+=(
-    clang lld libgtest-dev libgmock-dev librapidcheck-dev ffmpeg assimp-testmodels
+    clang libclang-rt-dev lld libgtest-dev libgmock-dev librapidcheck-dev ffmpeg assimp-testmodels
     gcc-arm-none-eabi binutils-arm-none-eabi libnewlib-arm-none-eabi
     gcc-riscv64-unknown-elf binutils-riscv64-unknown-elf qemu-system-arm python3 gappa
     gcc-avr simavr

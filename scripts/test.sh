@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds and tests everything: the boards, two compilers, the sanitizers, and last the full host run with its summary.
+# Builds and tests everything: the boards, two compilers, the sanitizers, the fuzzers, and last the full host run with its summary.
 # A missing tool skips its tests; SHADE16_REQUIRE_ALL=1 makes it a failure.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -25,6 +25,10 @@ ctest --preset host-clang --label-regex unit
 say "host, address and undefined-behaviour sanitizers"
 build host-sanitize --target checks
 ctest --preset host-sanitize --label-regex 'unit|raster|golden|accuracy|extremes'
+
+say "host, fuzzers and random frames"
+build host-fuzz
+ctest --preset host-fuzz
 
 say "host"
 build host

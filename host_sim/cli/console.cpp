@@ -7,6 +7,7 @@
 
 #include "host_sim/cli/ink.hpp"
 #include "host_sim/io/atomic_file.hpp"
+#include "host_sim/printable.hpp"
 
 namespace shade16::host {
 
@@ -25,7 +26,7 @@ void print_beside(const std::string& output, std::string_view text) {
 }
 
 void print_warnings(const std::vector<std::string>& sentences) {
-    for (const std::string& sentence : sentences) print_error(fmt::format("{} {}\n", Ink(STDERR_FILENO).caution("warning:"), sentence));
+    for (const std::string& sentence : sentences) print_error(fmt::format("{} {}\n", Ink(STDERR_FILENO).caution("warning:"), printable(sentence)));
 }
 
 std::string counted(std::size_t count, std::string_view one, std::string_view many) {

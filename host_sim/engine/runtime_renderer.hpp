@@ -41,9 +41,13 @@ public:
         std::vector<uint16_t> depth(width * static_cast<std::size_t>(rows));
         for (int y = 0; y < viewport_.height; y += rows) {
             const std::size_t first = static_cast<std::size_t>(y) * stride;
-            pipeline_.draw(Band<Format>{pixels.data() + first, depth.data(), viewport_.width, y, std::min(rows, viewport_.height - y)});
+            draw(Band<Format>{pixels.data() + first, depth.data(), viewport_.width, y, std::min(rows, viewport_.height - y)});
         }
         return pixels;
+    }
+    template <PixelFormat Format>
+    void draw(const Band<Format>& band) {
+        pipeline_.draw(band);
     }
 
     ScreenVertex<Tier> lit_vertex(uint32_t object, uint32_t index) { return pipeline_.lit_vertex(object, index); }

@@ -11,6 +11,7 @@ namespace shade16::host {
 namespace {
 
 constexpr Range exponents{1, 1000};
+constexpr std::size_t most_likes = 16;
 
 class Materials {
 public:
@@ -90,6 +91,8 @@ private:
         if (std::find(likes.begin(), likes.end(), name) != likes.end())
             throw table.wrong(
                 "like", fmt::format("goes round in a circle: {} is like {}", fmt::join(likes, " is like "), name));
+        if (likes.size() == most_likes)
+            throw table.wrong("like", fmt::format("is one of more than {} in a row; expected fewer", most_likes));
         for (const TomlEntry& entry : entries_)
             if (entry.key == name) return read(entry, likes);
         if (classic != nullptr) return {name, *classic, {}};

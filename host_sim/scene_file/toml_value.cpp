@@ -6,6 +6,7 @@
 #include <toml++/toml.h>
 
 #include "host_sim/error.hpp"
+#include "host_sim/scene_file/toml_names.hpp"
 
 namespace shade16::host {
 
@@ -87,6 +88,9 @@ const TomlEntry* TomlTable::end() const { return entries_->data() + entries_->si
 void TomlTable::add(TomlEntry entry) { entries_->push_back(std::move(entry)); }
 
 TomlValue parse_toml(std::string_view text, const std::string& name) {
+    constexpr int most_parts = 8;  // a scene file needs three
+    if (const int line = LongNames(text, most_parts).line(); line != 0)
+        throw input_error("{}:{}: has a name of more than {} parts; expected one such as materials.wall.diffuse.", name, line, most_parts);
     try {
         return converted(toml::parse(text));
     } catch (const toml::parse_error& error) {

@@ -93,6 +93,19 @@ TEST(CliRefusal, coordinates_that_are_none_or_huge) {
                          "m.obj, line 3: the coordinate '1e30' is out of range; expected -16384 to 16384.");
 }
 
+/// It would break the sentence, or tell the terminal what to do.
+TEST(CliRefusal, control_characters_are_not_repeated) {
+    expect_model_refused("v 0 \x1b[31m 0\n", "m.obj, line 1: the coordinate '?[31m' is not a number");
+    const ScratchDirectory scratch;
+    const std::string scene = scratch.write("s.toml", "\"first\\nsecond\" = 1\n");
+    expect_refusal(shade16_program("render " + scene + " -o " + scratch.path("a.png")), 2, "s.toml:1: unknown key 'first?second'");
+    scratch.write("a.mtl", "newmtl odd\x1b[31m\nKs 1 1 1\nNs 0\n");
+    const std::string model = scratch.write("m.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl odd\x1b[31m\nf 1 2 3\n");
+    const Ran ran = shade16_program("render " + model + " -o " + scratch.path("a.png"));
+    EXPECT_EQ(ran.exit_code, 0);
+    EXPECT_THAT(ran.err, HasSubstr("(material odd?[31m)."));
+}
+
 TEST(CliRefusal, more_vertices_than_16_bit_indices_reach) {
     constexpr int columns = 257, rows = 256;  // 65792
     std::string obj;

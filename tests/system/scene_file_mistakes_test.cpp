@@ -71,6 +71,22 @@ TEST(SceneFileMistakes, no_toml) {
     EXPECT_THAT(complaint_of("\n[camera\n"), testing::StartsWith("2: scene.toml:2: is not valid TOML: "));
 }
 
+/// They are tables one inside the other, of which a hundred thousand are more than a stack holds.
+TEST(SceneFileMistakes, names_of_many_parts) {
+    const std::string expected = " has a name of more than 8 parts; expected one such as materials.wall.diffuse.";
+    const std::string eight = "a.a.a.a.a.a.a.a", nine = eight + ".a";
+    expect_wrong(eight + " = 1\n", "1: unknown key 'a' in the scene; expected one of output, camera, background, lights, materials, meshes, objects.");
+    for (const std::string& text : {nine + " = 1\n", "[" + nine + "]\n", "x = {" + nine + " = 1}\n", std::string("a . 'b' . \"c\\\"\".d.e.f.g.h.i = 1\n")})
+        expect_wrong(text, "1:" + expected);
+    expect_wrong("[camera]\n# a.a.a\n" + nine + " = 1\n", "3:" + expected);
+    for (const char* harmless : {"# a.a.a.a.a.a.a.a.a.a.a", "x = \"a.a.a.a.a.a.a.a.a.a\"", "x = 'a.a.a.a.a.a.a.a.a.a'", "x = \"\"\"\n\"a.a.a.a.a.a.a.a.a.a\"\"\"",
+                                 "x = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9]"})
+        EXPECT_EQ(complaint([&] { read_scene_text(one_ball + harmless, "scene.toml"); }).find(expected), std::string::npos) << harmless;
+    std::string deep = "a";
+    for (int i = 0; i < 200'000; ++i) deep += ".a";
+    expect_wrong(deep + " = 1\n", "1:" + expected);
+}
+
 TEST(SceneFileMistakes, wrong_types) {
     expect_wrong_key("[camera]", "fov = \"wide\"",
                      "'fov' in the camera is a text; expected a number from 0.001 to 179.999.");
@@ -150,6 +166,13 @@ TEST(SceneFileMistakes, references) {
                  "4: 'like' in material 'b' goes round in a circle: a is like b is like a.");
     expect_wrong("[materials.a]\nlike = \"a\"\n" + one_ball,
                  "2: 'like' in material 'a' goes round in a circle: a is like a.");
+    const auto in_a_row = [](int count) {
+        std::string text = one_ball;
+        for (int i = 1; i < count; ++i) text += fmt::format("[materials.m{}]\nlike = \"m{}\"\n", i, i + 1);
+        return text + fmt::format("[materials.m{}]\n", count);
+    };
+    EXPECT_NO_THROW(read_scene_text(in_a_row(16), "scene.toml"));
+    expect_wrong(in_a_row(17), "36: 'like' in material 'm16' is one of more than 16 in a row; expected fewer.");
     expect_wrong("[materials.a]\nlike = \"golt\"\n" + one_ball,
                  "2: 'like' in material 'a' names no material: 'golt'; the nearest one is 'gold'.");
     expect_wrong("[materials.mtl]\n" + one_ball,

@@ -14,7 +14,8 @@ SHADE16_INLINE constexpr uint32_t chord_of_difference(int32_t x, int32_t y, int3
 }
 
 /// u = |N - H|^2 / 2 = 1 - N.H, from the chord: lengths err only relative to u, and sharp highlights stay exact.
-/// Q29 from 16-bit vectors, Q32 from 32-bit ones, saturated.
+/// Q29 from 16-bit vectors, Q32 from 32-bit ones, saturated. A difference of 16-bit components may exceed 2.0 where a stored normal is
+/// no unit vector: its square still fits 32 bits, though not with a sign.
 /// Source  R. F. Lyon, Phong Shading Reformulation for Hardware Renderer Simplification, 1993.
 SHADE16_INLINE constexpr uint32_t chord(const Normal14& a, const Normal14& b) {
     const int32_t x = int32_t{a.x.raw} - b.x.raw, y = int32_t{a.y.raw} - b.y.raw, z = int32_t{a.z.raw} - b.z.raw;
