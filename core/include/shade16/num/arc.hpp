@@ -10,6 +10,7 @@ namespace shade16 {
 inline constexpr int32_t arctangent_max_error_log2 = -30;  // of a turn, for x^2 + y^2 = 1 within 2^-12
 
 /// The angle of a unit vector (x, y), y >= 0, from 0 to half a turn; 0 for (0, 0).
+/// Range   x^2 + y^2 = 1 within 2^-12, y >= 0; a negative y counts as 0.
 /// Error   2^arctangent_max_error_log2 turn.  Cost  a reciprocal, a sine and a cosine.
 /// Source  Abramowitz and Stegun 4.4.47 (off 6e-4 rad), and one Newton step on sin(a - a0) = y cos a0 - x sin a0.
 SHADE16_ONCE constexpr Angle arctangent(Q30 y, Q30 x) {
@@ -50,7 +51,8 @@ public:
     constexpr Angle angle() const { return angle_; }
 
     /// The unit vector at t, Q30 from 0 to 1: cos(t angle) a + sin(t angle) p, p being perpendicular to a in the arc's plane.
-    /// Error: arc_max_error. Nothing is divided by sin(angle), and both ends of its range, 0 and half a turn, are as good as the middle.
+    /// Range   t from 0 to 1.  Error  arc_max_error.  Cost  sincos and six long multiplies.  Source  an orthonormal pair in the arc's plane.
+    /// Nothing is divided by sin(angle), and both ends of its range, 0 and half a turn, are as good as the middle.
     constexpr IVec3 at(int32_t t) const {
         const SinCos w = sincos({static_cast<uint32_t>(multiply(angle_.turns, static_cast<uint32_t>(t)) >> 30)});
         const auto component = [&](Q30 a, Q30 p) { return static_cast<int32_t>((multiply(a.raw, w.cos.raw) + multiply(p.raw, w.sin.raw)) >> 30); };

@@ -14,21 +14,25 @@ struct Block {
     int64_t mantissa = 0;
     int32_t exponent = 0;
 
-    /// The same number with at most 31 significant bits, rounded.
+    /// The same number with at most 31 significant bits, rounded.  Range  any.  Error  block_shortened_max_error_log2.
+    /// Cost    a count of zeros, a 64-bit shift.  Source  the top bits.
     SHADE16_ONCE constexpr Block shortened() const {
         const int excess = 33 - leading_zeros(magnitude(mantissa));
         return excess > 0 ? Block{shift_right_round(mantissa, excess), exponent + excess} : *this;
     }
     /// The smallest p for which |number| <= 2^p; very small for 0.
     constexpr int32_t top() const { return mantissa == 0 ? -1000 : 64 - leading_zeros(magnitude(mantissa)) + exponent; }
-    /// The number in units of 2^unit, rounded and saturated to 32 bits.
+    /// The number in units of 2^unit, rounded and saturated to 32 bits: off by half a unit at most.
     constexpr int32_t in_units_of(int32_t unit) const { return scale_by_power_of_two(mantissa, exponent - unit); }
 
-    /// The product. Error: block_product_max_error_log2.
+    /// The product.
+    /// Range   any.  Error  block_product_max_error_log2.  Cost  shortened and a long multiply.  Source  mantissas multiplied, exponents added.
     SHADE16_ONCE friend constexpr Block operator*(Block a, Scaled b) {
         const Block s = a.shortened();
         return {multiply(static_cast<int32_t>(clamp<int64_t>(s.mantissa, INT32_MIN, INT32_MAX)), b.mantissa), s.exponent + b.exponent - 32};
     }
+    /// The sum.
+    /// Range   any.  Error  block_sum_max_error_log2, of the larger.  Cost  two 64-bit shifts.  Source  both aligned three bits below the top of 64.
     SHADE16_ONCE friend constexpr Block operator+(Block a, Block b) {
         if (a.mantissa == 0) return b;
         if (b.mantissa == 0) return a;
@@ -61,7 +65,8 @@ SHADE16_ONCE constexpr BlockVector component_product(Vec3 a, Vec3 b) {
     return {{multiply(a.x.raw, b.x.raw), -32}, {multiply(a.y.raw, b.y.raw), -32}, {multiply(a.z.raw, b.z.raw), -32}};
 }
 
-/// m * v. Error: block_rotation_max_error_log2.
+/// m * v.
+/// Range   any v.  Error  block_rotation_max_error_log2.  Cost  nine long multiplies.  Source  v in units of its largest component.
 SHADE16_ONCE constexpr BlockVector operator*(const Mat3& m, const BlockVector& v) {
     const int32_t unit = v.top() - 30;
     const IVec3 mantissas = v.in_units_of(unit);

@@ -23,7 +23,7 @@ struct Luma {
 
 inline constexpr int luma_max_error = 1;  // of 2^-32; none for greys, which are their own luma
 
-/// Error: luma_max_error.
+/// Range   any.  Error  luma_max_error.  Cost  three multiplies.  Source  LumaWeights, and 65537 / 65536 by a shift.
 constexpr Luma luma_of(const Rgb& c) {
     const uint32_t sum = c.r.raw * LumaWeights::red + c.g.raw * LumaWeights::green + c.b.raw * LumaWeights::blue;  // one is 65535 * 65536
     return {sum + (sum >> 16)};

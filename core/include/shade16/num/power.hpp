@@ -26,7 +26,7 @@ inline constexpr Ulps roots_of_half_max_error = 2_ulps;  // of 2^-64, floors of 
 inline constexpr int negative_log2_max_error_log2 = -45, exp2_negative_max_error_log2 = -32, power_of_complement_max_error_log2 = -31;
 
 /// -log2(x / 2^64) as Q48.
-/// Range   x > 0.  Error  negative_log2_max_error_log2.  Source  bit by bit: squaring doubles a logarithm.
+/// Range   x > 0.  Error  negative_log2_max_error_log2.  Cost  48 64-bit multiplies.  Source  bit by bit: squaring doubles a logarithm.
 constexpr uint64_t negative_log2(uint64_t x) {
     const int zeros = leading_zeros(x);
     x <<= zeros;  // the mantissa in [1/2, 1)
@@ -52,6 +52,7 @@ constexpr uint64_t exp2_of_fraction(uint64_t t) {
 
 /// 2^-t as Q32, for t in Q48; at most 2^32 - 1.
 /// Range   any t.  Error  exp2_negative_max_error_log2.
+/// Cost    a 64-bit multiply for each bit of the fraction that is set.  Source  a product of roots of a half.
 constexpr uint32_t exp2_negative(uint64_t t) {
     const uint64_t whole = t >> 48;
     if (whole > 32) return 0;
@@ -68,6 +69,7 @@ constexpr uint64_t times_q16(uint64_t t, uint32_t n) {
 
 /// (1 - u)^n as Q32, for u in Q32 and n in Q16; at most 2^32 - 1.
 /// Range   n up to 1000.  Error  power_of_complement_max_error_log2.
+/// Cost    those of negative_log2 and exp2_negative.  Source  x^n = 2^(n log2 x).
 constexpr uint32_t power_of_complement(uint32_t u, uint32_t n) {
     if (u == 0) return UINT32_MAX;
     return exp2_negative(times_q16(negative_log2(uint64_t{0u - u} << 32), n));

@@ -37,7 +37,8 @@ struct Q16 {
     friend constexpr Q16 operator-(Q16 a) { return from_raw(saturate(-int64_t{a.raw})); }
 
     /// The product, rounded half up.
-    /// Range   any; saturates.  Error  q16_product_max_error, proved in tests/proof.  Cost  one long multiply; on M0+ four short ones.
+    /// Range   any; saturates.  Error  q16_product_max_error, proved in tests/proof.
+    /// Cost    one long multiply; on M0+ four short ones.  Source  the whole product, rounded half up.
     friend constexpr Q16 operator*(Q16 a, Q16 b) {
         return from_raw(saturate(shift_right_round(multiply(a.raw, b.raw), 16)));
     }

@@ -41,7 +41,8 @@ SHADE16_INLINE constexpr uint32_t reciprocal_linear(uint32_t x) {
 }
 }  // namespace detail
 
-/// 2^63 / x, for a normalised x in [2^31, 2^32).
+/// 2^63 / x.
+/// Range   a normalised x, in [2^31, 2^32).
 /// Error   reciprocal_max_error, proved in tests/proof; never past the last word.
 /// Cost    one table read and three multiplies: M3 32 cycles, M0+ 89 (prototype figures).
 /// Source  Newton: r' = r (2 - x r).
@@ -54,7 +55,7 @@ SHADE16_INLINE constexpr uint32_t reciprocal_of_normalized(uint32_t x) {
 
 /// 1/x.
 /// Range   x > 0; 0 gives the largest Scaled (mantissa and exponent at their ends).
-/// Error   reciprocal_max_error.
+/// Error   reciprocal_max_error.  Cost  reciprocal_of_normalized.  Source  1 / (m 2^e) = (1 / m) 2^-e.
 SHADE16_ONCE constexpr Scaled reciprocal(Scaled x) {
     if (x.is_zero()) return {UINT32_MAX, INT16_MAX};
     return {reciprocal_of_normalized(x.mantissa), 1 - int32_t{x.exponent}};

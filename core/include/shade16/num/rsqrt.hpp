@@ -6,7 +6,7 @@
 
 namespace shade16 {
 
-/// floor(sqrt(x)) digit by digit, for table builders.
+/// floor(sqrt(x)), for table builders.  Range  any.  Error  none.  Cost  32 steps.  Source  digit by digit.
 constexpr uint32_t isqrt(uint64_t x) {
     uint64_t root = 0;
     for (uint64_t bit = uint64_t{1} << 62; bit != 0; bit >>= 2) {
@@ -48,6 +48,7 @@ inline constexpr uint32_t rsqrt_newton_max_error = 259;  // 6.03e-8
 /// Range   s in [2^30, 2^32).
 /// Error   rsqrt_49_max_error or rsqrt_97_max_error.
 /// Cost    one multiply, two table reads.
+/// Source  linear interpolation between entries that are lowered by a sixteenth of the second difference.
 template <int Bits>
 SHADE16_INLINE constexpr uint32_t rsqrt_linear(uint32_t s) {
     const auto& table = detail::rsqrt_table<Bits>;
@@ -68,6 +69,7 @@ SHADE16_INLINE constexpr uint32_t rsqrt_step(uint32_t r, uint32_t s) {
 /// 2^32 * 0.5 / sqrt(s / 2^32).
 /// Range   s in [2^30, 2^32).
 /// Error   rsqrt_newton_max_error, proved in tests/proof of whatever keeps rsqrt_49_max_error; never past the last word.
+/// Cost    rsqrt_linear and three high words.
 /// Source  Newton's method, one step on the table of 49 entries.
 SHADE16_INLINE constexpr uint32_t rsqrt_newton(uint32_t s) {
     return detail::rsqrt_step(rsqrt_linear<6>(s) << 16, s);
@@ -78,6 +80,7 @@ inline constexpr uint32_t scaled_sqrt_max_error = 260;  // relative, of 2^-32
 /// sqrt(x).
 /// Range   any x; 0 gives 0.
 /// Error   scaled_sqrt_max_error: rsqrt_newton_max_error and one rounding.
+/// Cost    rsqrt_newton, a long multiply and Scaled::normalized.
 /// Source  sqrt(x) = x / sqrt(x).
 constexpr Scaled sqrt(Scaled x) {
     if (x.is_zero()) return {};

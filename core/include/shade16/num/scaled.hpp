@@ -15,6 +15,9 @@ struct Scaled {
     uint32_t mantissa = 0;
     int16_t exponent = 0;
 
+    /// value * 2^exponent_of_bit_0, its mantissa rounded half up.
+    /// Range   any; 0 has one form, exponents are held to 16 bits.  Error  scaled_product_max_error_log2.
+    /// Cost    a count of zeros and a 64-bit shift.  Source  the top 32 bits, and the carry of their rounding.
     SHADE16_ONCE static constexpr Scaled normalized(uint64_t value, int32_t exponent_of_bit_0) {
         if (value == 0) return {};
         const int shift = 32 - leading_zeros(value);
@@ -45,14 +48,16 @@ struct Scaled {
         return shift > -32 ? mantissa >> -shift : 0;
     }
 
-    /// The sum. Error: scaled_sum_max_error_log2.
+    /// The sum.
+    /// Range   any.  Error  scaled_sum_max_error_log2.  Cost  two 64-bit shifts and normalized.  Source  both aligned to the larger.
     friend constexpr Scaled operator+(Scaled a, Scaled b) {
         if (a.is_zero() || b.is_zero()) return a.is_zero() ? b : a;
         if (a.exponent < b.exponent) return b + a;
         const int32_t apart = min<int32_t>(int32_t{a.exponent} - b.exponent, 32);
         return normalized((uint64_t{a.mantissa} << 30) + (uint64_t{b.mantissa} << 30 >> apart), int32_t{a.exponent} - 62);
     }
-    /// The product. Error: scaled_product_max_error_log2.
+    /// The product.
+    /// Range   any.  Error  scaled_product_max_error_log2.  Cost  a long multiply and normalized.  Source  the product of the mantissas.
     friend constexpr Scaled operator*(Scaled a, Scaled b) {
         return normalized(multiply(a.mantissa, b.mantissa), int32_t{a.exponent} + b.exponent - 64);
     }

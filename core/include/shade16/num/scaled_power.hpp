@@ -60,6 +60,7 @@ inline constexpr uint32_t scaled_power_max_error = 2048, scaled_power_max_error_
 /// Range   x > 0, fraction_bits up to 31; 0 gives 0 for a positive exponent and the largest Scaled for a negative one.
 /// Error   relative 2^-29 + |p| 2^-31.4: scaled_power_max_error and scaled_power_max_error_each.
 /// Cost    three long multiplies and eleven high words.
+/// Source  x^p = 2^(p log2 x), the logarithm and the power by a table of 32 middles and a short series each.
 SHADE16_ONCE constexpr Scaled power(Scaled x, int32_t exponent, int fraction_bits) {
     if (x.is_zero()) return exponent > 0 ? Scaled{} : Scaled{UINT32_MAX, INT16_MAX};
     const int64_t fraction = multiply(exponent, static_cast<uint32_t>(clamp<int64_t>(detail::log2_of_normalized(x.mantissa), 0, UINT32_MAX)));

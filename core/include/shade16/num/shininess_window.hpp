@@ -36,6 +36,7 @@ struct ShininessWindow {
     /// Range   u in Q29 (which is |N - H|^2 in Q28); u >= 1 gives 0.
     /// Error   Arithmetic<Tier>::shininess_max_error, for every n in [1, 1000]; never rises with u.
     /// Cost    two multiplies, two table reads; M0+ 32, M3 24 cycles (prototype figures).
+    /// Source  linear interpolation over the interval where the power is above the promise's share.
     SHADE16_INLINE constexpr uint32_t power(uint32_t u) const {
         if (u >= u_end) return 0;
         const uint32_t position = ((u >> cell_bits) * scale + (scale >> 1)) >> 8;
