@@ -25,7 +25,8 @@ void print_result(const bounds::Result& r) {
 class Measuring {
 public:
     explicit Measuring(const ReportOptions& o) : options_(o) {
-        for (const bounds::Entry& entry : bounds::functions().all())
+        const bounds::Entries all = bounds::functions();
+        for (const bounds::Entry& entry : all.all())
             if (entry.name.starts_with(o.only)) entries_.push_back(entry);
         for (const bounds::Entry& entry : entries_) spans_.push_back(o.full ? bounds::all_spans(entry, {o.shard.number, o.shard.of}) : bounds::ordinary_spans(entry));
         for (const auto& spans : spans_) total_ += spans.size();
