@@ -8,7 +8,7 @@
 namespace shade16::bounds {
 namespace {
 
-constexpr double left = 62, top = 34, width = 470, height = 210, legend = 128;
+constexpr double left = 76, top = 34, width = 470, height = 210, legend = 176;
 
 double x_px(const Chart& c, double value) { return left + width * c.x.place(value); }
 double y_px(const Chart& c, double value) { return top + height * (1 - c.y.place(value)); }
@@ -49,7 +49,7 @@ double Axis::place(double value) const {
 
 std::vector<std::pair<double, std::string>> decades(double least, double largest) {
     std::vector<std::pair<double, std::string>> ticks;
-    for (double v = least; v <= largest * 1.001; v *= 10) ticks.emplace_back(v, fmt::format("{:.3g}", v));
+    for (double v = least; v <= largest * 1.001; v *= 10) ticks.emplace_back(v, fmt::format("{:.4g}", v));
     return ticks;
 }
 

@@ -45,7 +45,7 @@ Chart highlight_chart() {
     Chart chart{.title = fmt::format("{}: error of (N.H)^n", Tier::name),
                 .x = {.label = "N.H", .from = 1e-6, .to = 1, .is_logarithmic = true, .ticks = {{1e-6, "0.999999"}, {1e-5, "0.99999"}, {1e-4, "0.9999"}, {1e-3, "0.999"}, {1e-2, "0.99"}, {1e-1, "0.9"}, {0.5, "0.5"}, {1, "0"}}},
                 .y = {.label = "levels", .from = 0, .to = bound * 1.1, .ticks = even_ticks(bound, 4)},
-                .lines = {{"share of the promise", {{1e-6, bound}, {1, bound}}, true}}};
+                .lines = {{"its share of the promise", {{1e-6, bound}, {1, bound}}, true}}};
     for (const int exponent : {1, 10, 50, 128, 1000}) chart.lines.push_back(highlight_line<Tier>(exponent));
     return chart;
 }
@@ -89,7 +89,7 @@ Chart normalize_chart() {
 }
 
 Chart exponent_chart() {
-    Chart chart{.title = "The worst vertex, and a float pipeline's",
+    Chart chart{.title = "The worst vertex, and a float pipeline's; L near -V included",
                 .x = {.label = "exponent n", .from = 1, .to = 1000, .is_logarithmic = true, .ticks = decades(1, 1000)},
                 .y = {.label = "levels", .from = 1e-5, .to = 10, .is_logarithmic = true, .ticks = decades(1e-5, 10)},
                 .lines = {{"lowp"}, {"mediump"}, {"highp"}, {"float32"}, {"one code of RGB565", {{1, 255 / 31.0}, {1000, 255 / 31.0}}, true}}};

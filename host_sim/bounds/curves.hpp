@@ -14,7 +14,7 @@ std::vector<Chart> highlight_charts();
 /// The error of unit vectors against the length of the vector that they are made of, octave by octave.
 Chart normalize_chart();
 
-/// The worst vertex of every tier and of a float pipeline, against the exponent.
+/// The worst vertex of every tier and of a float pipeline, against the exponent, in levels.
 Chart exponent_chart();
 
 /// How often vertices take which share of their bound.

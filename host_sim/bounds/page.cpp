@@ -58,9 +58,26 @@ struct Rounding {
 };
 constexpr Rounding roundings[] = {{"RGB888, Gray8", 1}, {"RGB565, green", 255 / 63.0}, {"RGB565, red and blue", 255 / 31.0}, {"Gray4", 17}, {"Mono1", 255}};
 
+/// The lines of a chart as the columns of a table.
+std::string table(const Chart& chart) {
+    std::vector<Line> lines;
+    for (const Line& line : chart.lines)
+        if (!line.is_bound) lines.push_back(line);
+    std::string text = "| " + chart.x.label + " |", rule = "|---|";
+    for (const Line& line : lines) text += " " + line.name + " |", rule += "---|";
+    text += "\n" + rule + "\n";
+    for (std::size_t i = 0; i < lines.front().points.size(); ++i) {
+        text += "| " + figure(lines.front().points[i].first) + " |";
+        for (const Line& line : lines) text += " " + figure(line.points[i].second) + " |";
+        text += "\n";
+    }
+    return text;
+}
+
 }  // namespace
 
-std::string page(const std::vector<Result>& results, const std::vector<VertexResult>& vertices) {
+std::string page(const Report& report) {
+    const auto& [results, vertices, exponents] = report;
     const auto broken = std::ranges::count_if(results, [](const Result& r) { return !r.holds(); });
     std::string text = style;
     text += "<h1>shade16: what it promises, and what was measured</h1>\n<p class=\"lead\">Every function that errs has a bound, a constant in its header. Here each is held against double precision or wider; "
@@ -68,11 +85,11 @@ std::string page(const std::vector<Result>& results, const std::vector<VertexRes
     text += fmt::format("<p class=\"verdict {}</p>\n", broken == 0 ? fmt::format("kept\">All {} bounds are kept.", results.size()) : fmt::format("broken\">{} of {} bounds are broken.", broken, results.size()));
     text += "<div class=\"charts\">\n";
     for (const Chart& chart : highlight_charts()) text += figure_chart(chart);
-    text += figure_chart(normalize_chart()) + figure_chart(exponent_chart());
+    text += figure_chart(normalize_chart()) + figure_chart(exponents);
     if (!vertices.empty()) text += figure_chart(share_chart(vertices));
     text += "</div>\n";
     if (!vertices.empty()) {
-        text += "<h2>Whole vertices</h2>\n<p class=\"lead\">Searched with restarts and hill climbing, one light arriving at 1 where nothing else is said. Exactly rounded: channels that get the code that double precision gets.</p>\n"
+        text += "<h2>Whole vertices</h2>\n<p class=\"lead\">Searched with restarts and hill climbing. A promise is for a light that arrives at 1 with |L + V| from 0.5: where lamps arrive at more, or L is near -V, more is allowed, and the share of the promise is what counts. Exact: channels that get the code that double precision gets.</p>\n"
                 "<div class=\"scroll\"><table><tr><th>scenes</th><th>tier</th><th class=\"n\">largest, levels</th><th class=\"n\">99.9 %</th><th class=\"n\">mean</th><th class=\"n\">of its promise</th><th class=\"n\">exact at 8 bits</th><th class=\"n\">at RGB565</th><th class=\"n\">vertices</th></tr>\n";
         for (const VertexResult& v : vertices) text += vertex_row(v);
         text += "</table></div>\n";
@@ -84,14 +101,15 @@ std::string page(const std::vector<Result>& results, const std::vector<VertexRes
     return text + "</table></div>\n</body></html>\n";
 }
 
-std::string markdown(const std::vector<Result>& results, const std::vector<VertexResult>& vertices) {
+std::string markdown(const Report& report) {
+    const auto& [results, vertices, exponents] = report;
     std::string text = "| scenes | tier | largest | 99.9 % | mean | of its promise | exact at 8 bits | exact at RGB565 | vertices |\n|---|---|---|---|---|---|---|---|---|\n";
     for (const VertexResult& v : vertices) {
         const VertexFigures& f = v.figures;
         text += fmt::format("| {} | {} | {} | {} | {} | {:.1f} % | {:.2f} % | {:.2f} % | {} |\n", v.domain.name, v.tier, figure(f.largest_levels()), figure(f.usual_levels()), figure(f.mean_levels()), 100 * f.largest_share(),
                             100 * f.exact_at_8_bits(), 100 * f.exact_at_565(), with_commas(f.vertices()));
     }
-    text += "\n| function | tier | bound | measured | unit | inputs |\n|---|---|---|---|---|---|\n";
+    text += "\n" + exponents.title + ", in levels:\n\n" + table(exponents) + "\n| function | tier | bound | measured | unit | inputs |\n|---|---|---|---|---|---|\n";
     for (const Result& r : results)
         if (!r.name.starts_with("vertex: ")) text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", r.name, r.tier, figure(r.bound), figure(r.measured), r.unit, looked_at(r));
     return text;

@@ -4,13 +4,18 @@
 #include <string>
 #include <vector>
 
+#include "host_sim/bounds/chart.hpp"
 #include "host_sim/bounds/vertices.hpp"
 
 namespace shade16::bounds {
 
-/// `vertices` may be empty: a merged report has only their results.
-std::string page(const std::vector<Result>& results, const std::vector<VertexResult>& vertices);
+struct Report {
+    std::vector<Result> results{};
+    std::vector<VertexResult> vertices{};  // none in a merged report, which has only their results
+    Chart exponents{};
+};
 
-std::string markdown(const std::vector<Result>& results, const std::vector<VertexResult>& vertices);
+std::string page(const Report& report);
+std::string markdown(const Report& report);
 
 }  // namespace shade16::bounds

@@ -122,6 +122,7 @@ private:
         Material& m = object_.material;
         m.diffuse = random.color(), m.specular = random.coin() ? white : random.color();
         m.ambient = random.color();
+        if (options.lights > 1) m.emissive = {{static_cast<uint16_t>(random.integer(0, 8000))}, {static_cast<uint16_t>(random.integer(0, 8000))}, {}};
         m.shininess = q16(random.log_uniform(options.min_exponent, options.max_exponent));
         const auto angle = [&] { return Angle{static_cast<uint32_t>(random.uniform(0, 4294967295.0))}; };
         object_.pose.rotation = rotate_x(angle()) * rotate_y(angle()) * rotate_z(angle());

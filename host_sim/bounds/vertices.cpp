@@ -9,7 +9,7 @@ std::vector<VertexDomain> vertex_domains(bool wide_tier) {
     return {
         {"one light, n <= 128", "diffuse specular directional point", 1, {}, 400, 12},
         {"one light, n <= 1000", "specular", 2, {.min_exponent = 128, .max_exponent = 1000}, 400, 12},
-        {"four lights and ambient", "ambient", 3, {.lights = 4}, 60, 6},
+        {"four lights, ambient and emission", "ambient emissive", 3, {.lights = 4}, 60, 6},
         {"scale that differs by axis", "stretch", 4, {.stretch = true}, 60, 8},
         {"lamps and eye far away", "local_viewer", 5, {.max_distance = 16000}, 60, 6},
         {"attenuation", "attenuation", 8, {.attenuation = true}, 100, 8},

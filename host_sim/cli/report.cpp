@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "host_sim/bounds/curves.hpp"
 #include "host_sim/bounds/entries.hpp"
 #include "host_sim/bounds/page.hpp"
 #include "host_sim/cli/bounds_json.hpp"
@@ -83,23 +84,22 @@ ExitCode report(const ReportOptions& o) {
     if (!std::filesystem::is_directory(o.output)) throw input_error("--output {}: is no directory, and none can be made there.", o.output);
     const std::filesystem::path directory = o.output;
 
-    std::vector<bounds::Result> results;
-    std::vector<bounds::VertexResult> vertices;
+    bounds::Report report{.exponents = bounds::exponent_chart()};
     if (o.merge.empty()) {
         const Measuring measuring(o);
-        results = measuring.functions();
-        vertices = measuring.vertices();
-        for (const bounds::VertexResult& v : vertices) results.push_back(v.result());
+        report.results = measuring.functions();
+        report.vertices = measuring.vertices();
+        for (const bounds::VertexResult& v : report.vertices) report.results.push_back(v.result());
     } else {
-        results = merged(o.merge);
+        report.results = merged(o.merge);
     }
-    if (results.empty()) throw input_error("--only {}: no bound has a name that begins so; 'shade16 report bounds' prints all of them.", o.only);
-    const std::string json = bounds_json(results);
+    if (report.results.empty()) throw input_error("--only {}: no bound has a name that begins so; 'shade16 report bounds' prints all of them.", o.only);
+    const std::string json = bounds_json(report.results);
     write_file(directory / "bounds.json", json);
-    write_file(directory / "bounds.html", bounds::page(results, vertices));
-    write_file(directory / "bounds.md", bounds::markdown(results, vertices));
+    write_file(directory / "bounds.html", bounds::page(report));
+    write_file(directory / "bounds.md", bounds::markdown(report));
     if (o.json) print(json);
-    refuse_broken(results);
+    refuse_broken(report.results);
     return ExitCode::ok;
 }
 

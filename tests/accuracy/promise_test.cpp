@@ -1,11 +1,13 @@
 // The tiers' promises, against the double-precision reference on the same integers: searched for with restarts, since
 // uniformly drawn vertices miss the worst cases. `shade16 report bounds` runs the same searches for the engine's own tiers
 // and refuses what is broken; here a user's tier is held to its promise.
+#include <algorithm>
 #include <cstdio>
 
 #include <gtest/gtest.h>
 
 #include "host_sim/bounds/vertex_search.hpp"
+#include "host_sim/report/terms.hpp"
 
 namespace shade16::bounds {
 namespace {
@@ -19,10 +21,24 @@ void expect_held(const VertexFigures& found, const char* tier, const char* domai
 
 template <class Tier>
 class Promises : public testing::Test {};
-TYPED_TEST_SUITE(Promises, testing::Types<lowp, mediump, highp>);
+using Tiers = testing::Types<lowp, mediump, highp>;
+TYPED_TEST_SUITE(Promises, Tiers);
 
 TYPED_TEST(Promises, HoldInEveryDomain) {
     for (const VertexDomain& domain : vertex_domains(Arithmetic<TypeParam>::wide)) expect_held(search<TypeParam>(domain), TypeParam::name, domain.name);
+}
+
+// Each term of the light is in some kind of scene that is searched.
+TEST(VertexDomains, HoldEveryTermOfTheLight) {
+    Needs seen;
+    for (const VertexDomain& domain : vertex_domains(true)) {
+        host::Random random(domain.seed);
+        for (int i = 0; i < 20; ++i) seen = seen | needs_of(host::RandomSurface(random, domain.options).scene());
+    }
+    constexpr bool Needs::* light[] = {&Needs::ambient, &Needs::diffuse, &Needs::specular, &Needs::halfway, &Needs::reflected, &Needs::directional, &Needs::point, &Needs::attenuation,
+                                       &Needs::falloff, &Needs::range, &Needs::spot, &Needs::spot_exponent, &Needs::local_viewer, &Needs::stretch};
+    for (const host::Term& term : host::terms)
+        if (std::ranges::find(light, term.is_needed) != std::end(light)) EXPECT_TRUE(seen.*term.is_needed) << term.name;
 }
 
 // A fourth tier, as a user may write it: the code sizes itself from the promise.
