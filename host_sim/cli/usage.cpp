@@ -39,6 +39,7 @@ std::string reworded(const std::string& error_class, std::string text) {
     if (error_class != "RequiredError") return text;
     if (option == "--output") return "the name of the output is missing: expected -o and a name";
     if (option == "SCENE") return "the name of the scene is missing: expected SCENE.toml or MODEL.obj";
+    if (option == "SUBJECT") return "what the report is about is missing: expected bounds";
     return text;
 }
 
