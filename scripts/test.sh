@@ -1,21 +1,49 @@
 #!/usr/bin/env bash
 # Builds and tests everything: the boards, two compilers, the sanitizers, the fuzzers, and last the full host run with its summary.
 # A missing tool skips its tests; SHADE16_REQUIRE_ALL=1 makes it a failure.
+# usage: scripts/test.sh            everything
+#        scripts/test.sh errors     what is about errors alone: bounds, promises, proofs, extremes, identity of bits, fuzzers
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+case ${1:-everything} in
+  everything | errors) share=${1:-everything} ;;
+  *) echo "scripts/test.sh $1: expected errors, or nothing for every test." >&2; exit 2 ;;
+esac
 
 scripts/setup.sh
 
 say() { printf '\n== %s\n' "$*"; }
 build() { cmake --preset "$1" >/dev/null && cmake --build --preset "$@"; }
+emulated_boards() {
+  local folder
+  for folder in boards/*/; do
+    if grep -q BOARD_EMULATOR "$folder/board.cmake"; then basename "$folder"; fi
+  done
+}
 
-for folder in boards/*/; do
-  board=$(basename "$folder")
-  if grep -q BOARD_EMULATOR "$folder/board.cmake"; then
-    say "$board"
-    build "$board"
-    ctest --preset "$board"
-  fi
+if [[ $share == errors ]]; then
+  for board in $(emulated_boards); do
+    say "$board, the same bits"
+    build "$board" --target identity
+    ctest --preset "$board" --label-regex identity
+  done
+  say "host, extremes with sanitizers"
+  build host-sanitize --target unit_tests extremes_tests
+  ctest --preset host-sanitize --tests-regex '^(unit|extremes)_tests$'
+  say "host, fuzzers and random frames"
+  build host-fuzz
+  ctest --preset host-fuzz
+  say "host, errors"
+  build host --target errors
+  ctest --preset host --label-regex '^(bounds|proof|extremes|identity|accuracy)$|^unit$'
+  exit
+fi
+
+for board in $(emulated_boards); do
+  say "$board"
+  build "$board"
+  ctest --preset "$board"
 done
 
 say "host, clang"
