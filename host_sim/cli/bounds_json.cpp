@@ -21,7 +21,8 @@ std::vector<bounds::Result> read_bounds_json(const std::string& path) {
     if (!file) throw io_error("{}: cannot be opened; expected a bounds.json that 'shade16 report bounds' wrote.", path);
     std::vector<bounds::Result> results;
     try {
-        for (const auto& e : nlohmann::json::parse(file).at("bounds"))
+        const nlohmann::json whole = nlohmann::json::parse(file);
+        for (const auto& e : whole.at("bounds"))
             results.push_back({.name = e.at("name"), .header = e.at("header"), .functions = e.at("functions"), .unit = e.at("unit"), .tier = e.at("tier"), .bound = e.at("bound"),
                                .measured = e.at("measured"), .at = e.at("worst_input"), .inputs = e.at("inputs"), .of = e.at("of")});
     } catch (const nlohmann::json::exception&) {

@@ -46,8 +46,8 @@ int64_t times(double value, uint64_t scale) {
 
 Angle degrees_of(double value) {
     // Whole turns go first: the core's literal takes one at most.
-    const uint64_t scaled = static_cast<uint64_t>(times(std::fabs(value), 1u << 22)) % (uint64_t{360} << 22);
-    const Angle angle{static_cast<uint32_t>((scaled * 1024 + 180) / 360)};
+    const auto scaled = static_cast<uint64_t>(times(std::fmod(std::fabs(value), degrees_a_turn), uint64_t{1} << 32));
+    const Angle angle{static_cast<uint32_t>((scaled + 180) / 360)};
     return value < 0 ? -angle : angle;
 }
 

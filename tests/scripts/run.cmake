@@ -2,7 +2,7 @@
 # or RUN_TIMEOUT seconds.
 function(shade16_run output)
   if(NOT RUN_TIMEOUT)
-    set(RUN_TIMEOUT ${RUN_TIMEOUT})
+    set(RUN_TIMEOUT 60)
   endif()
   execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE printed ERROR_VARIABLE complaint RESULT_VARIABLE status TIMEOUT ${RUN_TIMEOUT})
   if(NOT status EQUAL 0)
