@@ -44,7 +44,7 @@ inline constexpr uint32_t sine_reciprocals[5] = {0x0253C825, 0x038E38E4, 0x06186
 inline constexpr uint32_t cosine_reciprocals[5] = {0x02D82D83, 0x04924925, 0x08888889, 0x15555555, 0x80000000};
 }  // namespace detail
 
-inline constexpr Ulps sincos_max_error = 1.3_ulps;  // of Q30: 1.2e-9
+inline constexpr Ulps sincos_max_error = 1.26_ulps;  // of Q30: 1.2e-9
 
 /// sine and cosine.
 /// Range   any angle.

@@ -40,9 +40,9 @@ inline constexpr RsqrtTable<Bits> rsqrt_table{};
 }  // namespace detail
 
 /// Relative errors of the three forms, in units of 2^-32.
-inline constexpr uint32_t rsqrt_49_max_error = 851'000;  // 1.98e-4
-inline constexpr uint32_t rsqrt_97_max_error = 258'000;  // 6.0e-5
-inline constexpr uint32_t rsqrt_newton_max_error = 259;  // 6.03e-8
+inline constexpr uint32_t rsqrt_49_max_error = 818'000;  // 1.90e-4
+inline constexpr uint32_t rsqrt_97_max_error = 238'000;  // 5.5e-5
+inline constexpr uint32_t rsqrt_newton_max_error = 240;  // 5.6e-8
 
 /// 2^16 * 0.5 / sqrt(s / 2^32), by a table of 3 * 2^(Bits-2) + 1 entries: Bits 6 is 49 of them, 7 is 97.
 /// Range   s in [2^30, 2^32).
@@ -75,7 +75,7 @@ SHADE16_INLINE constexpr uint32_t rsqrt_newton(uint32_t s) {
     return detail::rsqrt_step(rsqrt_linear<6>(s) << 16, s);
 }
 
-inline constexpr uint32_t scaled_sqrt_max_error = 260;  // relative, of 2^-32
+inline constexpr uint32_t scaled_sqrt_max_error = 242;  // relative, of 2^-32
 
 /// sqrt(x).
 /// Range   any x; 0 gives 0.
