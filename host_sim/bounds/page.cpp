@@ -81,7 +81,7 @@ std::string page(const Report& report) {
     const auto broken = std::ranges::count_if(results, [](const Result& r) { return !r.holds(); });
     std::string text = style;
     text += "<h1>shade16: what it promises, and what was measured</h1>\n<p class=\"lead\">Every function that errs has a bound, a constant in its header. Here each is held against double precision or wider; "
-            "whoever is exact has the bound 0. A level is 1/255 of a colour channel.</p>\n";
+            "what is exact has the bound 0. A level is 1/255 of a colour channel.</p>\n";
     text += fmt::format("<p class=\"verdict {}</p>\n", broken == 0 ? fmt::format("kept\">All {} bounds are kept.", results.size()) : fmt::format("broken\">{} of {} bounds are broken.", broken, results.size()));
     text += "<div class=\"charts\">\n";
     for (const Chart& chart : highlight_charts()) text += figure_chart(chart);

@@ -92,6 +92,8 @@ ExitCode report(const ReportOptions& o) {
         for (const bounds::VertexResult& v : report.vertices) report.results.push_back(v.result());
     } else {
         report.results = merged(o.merge);
+        if (!o.quiet && !o.json)
+            for (const bounds::Result& r : report.results) print_result(r);
     }
     if (report.results.empty()) throw input_error("--only {}: no bound has a name that begins so; 'shade16 report bounds' prints all of them.", o.only);
     const std::string json = bounds_json(report.results);

@@ -39,6 +39,7 @@ TEST(CliReport, shards_merge_to_what_one_machine_measures) {
     const Ran merged = shade16_program("report bounds -o " + scratch.path("merged") + " --merge " + scratch.path("0/bounds.json") + " " + scratch.path("1/bounds.json") + " " +
                                        scratch.path("2/bounds.json"));
     EXPECT_EQ(merged.exit_code, 0) << merged.err;
+    EXPECT_THAT(merged.out, HasSubstr("shininess never rises, highp"));
     EXPECT_EQ(entries(scratch, "merged/bounds.json"), entries(scratch, "whole/bounds.json"));
 }
 
