@@ -16,7 +16,8 @@ double angle_sums(Dice& dice) {
     Angle c = a;
     c += b;
     Differences worst;
-    worst((a + b).turns, mod_turn(Wide{a.turns} + b.turns))((a - b).turns, mod_turn(Wide{a.turns} - b.turns))((-a).turns, mod_turn(-Wide{a.turns}));
+    worst((a + b).turns, mod_turn(Wide{a.turns} + b.turns))((a - b).turns, mod_turn(Wide{a.turns} - b.turns))(
+        (-a).turns, mod_turn(-Wide{a.turns}));
     return worst((a * n).turns, mod_turn(Wide{a.turns} * n))(a.half().turns, a.turns / 2)(c.turns, (a + b).turns);
 }
 
@@ -33,24 +34,31 @@ struct ArcCase {
         if (kind == 0) return;
         const double off = std::pow(10.0, dice.uniform(-8, 0)), sign = kind == 1 ? -1 : 1;
         const Direction p = wide(a), q = wide(b);
-        const long double x = p.x * sign + q.x * off, y = p.y * sign + q.y * off, z = p.z * sign + q.z * off, length = std::sqrt(x * x + y * y + z * z);
-        const auto rounded = [length](long double v) { return Q30::from_raw(std::llround(std::ldexp(v / length, 30))); };
+        const long double x = p.x * sign + q.x * off, y = p.y * sign + q.y * off, z = p.z * sign + q.z * off,
+                          length = std::sqrt(x * x + y * y + z * z);
+        const auto rounded = [length](long double v) {
+            return Q30::from_raw(std::llround(std::ldexp(v / length, 30)));
+        };
         b = {rounded(x), rounded(y), rounded(z)};
     }
 };
 
-/// How far `at` leaves the exact great circle's point, in ulp of Q30 of a radian, beyond what the plane itself is uncertain by.
+/// How far `at` leaves the exact great circle's point, in ulp of Q30 of a radian, beyond what the plane itself is
+/// uncertain by.
 double arc_error(Dice& dice) {
     const ArcCase c(dice);
     const Arc arc(c.a, c.b);
     const int32_t t = static_cast<int32_t>(dice.below((uint32_t{1} << 30) + 1));
     const Direction a = wide(c.a), b = wide(c.b);
     const long double dot = a.x * b.x + a.y * b.y + a.z * b.z;
-    const long double ox = b.x - dot * a.x, oy = b.y - dot * a.y, oz = b.z - dot * a.z, sine = std::sqrt(ox * ox + oy * oy + oz * oz);
+    const long double ox = b.x - dot * a.x, oy = b.y - dot * a.y, oz = b.z - dot * a.z,
+                      sine = std::sqrt(ox * ox + oy * oy + oz * oz);
     if (sine < 1e-7L) return 0;  // rounded vectors make no plane
-    const long double angle = std::atan2(sine, dot), w = angle * std::ldexp(static_cast<long double>(t), -30), s = std::sin(w) / sine, k = std::cos(w);
+    const long double angle = std::atan2(sine, dot), w = angle * std::ldexp(static_cast<long double>(t), -30),
+                      s = std::sin(w) / sine, k = std::cos(w);
     const IVec3 got = arc.at(t);
-    const long double dx = got.x * 0x1p-30L - (a.x * k + ox * s), dy = got.y * 0x1p-30L - (a.y * k + oy * s), dz = got.z * 0x1p-30L - (a.z * k + oz * s);
+    const long double dx = got.x * 0x1p-30L - (a.x * k + ox * s), dy = got.y * 0x1p-30L - (a.y * k + oy * s),
+                      dz = got.z * 0x1p-30L - (a.z * k + oz * s);
     const long double uncertain = angle < 1 ? 1 : 1 / std::fmin(1.0L, sine);
     return static_cast<double>(std::sqrt(dx * dx + dy * dy + dz * dz) * 0x1p30L / uncertain);
 }
@@ -58,23 +66,51 @@ double arc_error(Dice& dice) {
 }  // namespace
 
 void add_angles(Entries& to) {
-    to.add_random({.name = "Angle", .header = "num/angle.hpp", .functions = "Angle::operator+ Angle::operator- Angle::operator* Angle::operator+= Angle::half", .unit = "2^-32 turn"}, angle_sums);
-    static constexpr int64_t written[] = {(45_deg).turns, (0.1_deg).turns, (359.9_deg).turns, (0.125_turn).turns, (0.3_turn).turns};
+    to.add_random({.name = "Angle",
+                   .header = "num/angle.hpp",
+                   .functions = "Angle::operator+ Angle::operator- Angle::operator* Angle::operator+= Angle::half",
+                   .unit = "2^-32 turn"},
+                  angle_sums);
+    static constexpr int64_t written[] = {(45_deg).turns, (0.1_deg).turns, (359.9_deg).turns, (0.125_turn).turns,
+                                          (0.3_turn).turns};
     static constexpr double meant[] = {0.125, 0.1 / 360, 359.9 / 360, 0.125, 0.3};
-    to.add({.name = "Angle literals", .header = "num/angle.hpp", .functions = "operator\"\"_deg operator\"\"_turn", .unit = "2^-32 turn", .bound = 0.51, .inputs = {0, std::size(written) - 1}},
+    to.add({.name = "Angle literals",
+            .header = "num/angle.hpp",
+            .functions = "operator\"\"_deg operator\"\"_turn",
+            .unit = "2^-32 turn",
+            .bound = 0.51,
+            .inputs = {0, std::size(written) - 1}},
            [](uint64_t i) { return std::fabs(static_cast<double>(written[i]) - meant[i] * 4294967296.0); });
-    to.add({.name = "sincos", .header = "num/angle.hpp", .functions = "sincos sin cos", .unit = "ulp of Q30", .bound = sincos_max_error.milli / 1000.0}, [](uint64_t turns) {
-        const SinCos got = sincos({static_cast<uint32_t>(turns)});
-        const double x = radians(turns);
-        return std::fmax(std::fabs(got.sin.raw - std::sin(x) * 0x1p30), std::fabs(got.cos.raw - std::cos(x) * 0x1p30));
-    });
-    to.add({.name = "arctangent", .header = "num/arc.hpp", .functions = "arctangent", .unit = "2^-32 turn", .bound = std::ldexp(1.0, 32 + arctangent_max_error_log2), .inputs = {0, uint64_t{1} << 31}}, [](uint64_t turns) {
-        const double x = radians(turns);
-        const int32_t sine = static_cast<int32_t>(std::lround(std::sin(x) * 0x1p30)), cosine = static_cast<int32_t>(std::lround(std::cos(x) * 0x1p30));
-        const double exact = std::atan2(sine, cosine) / std::numbers::pi * 2147483648.0;
-        return std::fabs(arctangent({sine}, {cosine}).turns - exact);
-    });
-    to.add_random({.name = "Arc", .header = "num/arc.hpp", .functions = "Arc::at Arc::angle", .unit = "ulp of Q30", .bound = arc_max_error.milli / 1000.0}, arc_error);
+    to.add({.name = "sincos",
+            .header = "num/angle.hpp",
+            .functions = "sincos sin cos",
+            .unit = "ulp of Q30",
+            .bound = sincos_max_error.milli / 1000.0},
+           [](uint64_t turns) {
+               const SinCos got = sincos({static_cast<uint32_t>(turns)});
+               const double x = radians(turns);
+               return std::fmax(std::fabs(got.sin.raw - std::sin(x) * 0x1p30),
+                                std::fabs(got.cos.raw - std::cos(x) * 0x1p30));
+           });
+    to.add({.name = "arctangent",
+            .header = "num/arc.hpp",
+            .functions = "arctangent",
+            .unit = "2^-32 turn",
+            .bound = std::ldexp(1.0, 32 + arctangent_max_error_log2),
+            .inputs = {0, uint64_t{1} << 31}},
+           [](uint64_t turns) {
+               const double x = radians(turns);
+               const int32_t sine = static_cast<int32_t>(std::lround(std::sin(x) * 0x1p30)),
+                             cosine = static_cast<int32_t>(std::lround(std::cos(x) * 0x1p30));
+               const double exact = std::atan2(sine, cosine) / std::numbers::pi * 2147483648.0;
+               return std::fabs(arctangent({sine}, {cosine}).turns - exact);
+           });
+    to.add_random({.name = "Arc",
+                   .header = "num/arc.hpp",
+                   .functions = "Arc::at Arc::angle",
+                   .unit = "ulp of Q30",
+                   .bound = arc_max_error.milli / 1000.0},
+                  arc_error);
 }
 
 }  // namespace shade16::bounds

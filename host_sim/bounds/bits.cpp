@@ -28,28 +28,49 @@ double order(Dice& dice) {
     const int32_t a = dice.number(), b = dice.number(), c = dice.number();
     const uint64_t d = dice.long_word(), e = dice.long_word();
     Differences worst;
-    worst(min(a, b), std::min(a, b))(max(a, b), std::max(a, b))(clamp(a, std::min(b, c), std::max(b, c)), std::clamp(a, std::min(b, c), std::max(b, c)));
+    worst(min(a, b), std::min(a, b))(max(a, b), std::max(a, b))(clamp(a, std::min(b, c), std::max(b, c)),
+                                                                std::clamp(a, std::min(b, c), std::max(b, c)));
     return worst(min(d, e), std::min(d, e))(max(d, e), std::max(d, e))(opaque(a), a)(opaque(d), d);
 }
 
 }  // namespace
 
 void add_bits(Entries& to) {
-    to.add({.name = "leading_zeros", .header = "num/bits.hpp", .functions = "leading_zeros", .unit = "bits"}, [](uint64_t x) {
-        const uint32_t w = static_cast<uint32_t>(x);
-        return static_cast<double>(Differences()(leading_zeros(w), std::countl_zero(w))(leading_zeros(x << 32), std::countl_zero(x << 32))(leading_zeros(x), std::countl_zero(x)));
-    });
-    to.add({.name = "magnitude", .header = "num/bits.hpp", .functions = "magnitude", .unit = "units"}, [](uint64_t word) {
-        const int64_t x = static_cast<int32_t>(word), y = static_cast<int64_t>(word << 32);
-        return static_cast<double>(Differences()(magnitude(static_cast<int32_t>(x)), x < 0 ? -x : x)(magnitude(y), y < 0 ? -Wide{y} : Wide{y}));
-    });
-    to.add_random({.name = "shifts", .header = "num/bits.hpp", .functions = "shift_left shift_right_round saturate scale_by_power_of_two", .unit = "units"}, shifts);
-    to.add_random({.name = "min, max, clamp", .header = "num/bits.hpp", .functions = "min max clamp opaque", .unit = "units"}, order);
+    to.add({.name = "leading_zeros", .header = "num/bits.hpp", .functions = "leading_zeros", .unit = "bits"},
+           [](uint64_t x) {
+               const uint32_t w = static_cast<uint32_t>(x);
+               return static_cast<double>(Differences()(leading_zeros(w), std::countl_zero(w))(
+                   leading_zeros(x << 32), std::countl_zero(x << 32))(leading_zeros(x), std::countl_zero(x)));
+           });
+    to.add({.name = "magnitude", .header = "num/bits.hpp", .functions = "magnitude", .unit = "units"},
+           [](uint64_t word) {
+               const int64_t x = static_cast<int32_t>(word), y = static_cast<int64_t>(word << 32);
+               return static_cast<double>(Differences()(magnitude(static_cast<int32_t>(x)), x < 0 ? -x : x)(
+                   magnitude(y), y < 0 ? -Wide{y} : Wide{y}));
+           });
+    to.add_random({.name = "shifts",
+                   .header = "num/bits.hpp",
+                   .functions = "shift_left shift_right_round saturate scale_by_power_of_two",
+                   .unit = "units"},
+                  shifts);
+    to.add_random(
+        {.name = "min, max, clamp", .header = "num/bits.hpp", .functions = "min max clamp opaque", .unit = "units"},
+        order);
 
-    static constexpr uint64_t parsed[] = {parse_decimal("0", 65536, UINT32_MAX), parse_decimal("1'000.25", 65536, UINT32_MAX), parse_decimal("0.1", 65536, UINT32_MAX),
-                                          parse_decimal("0.00001", 65536, UINT32_MAX), parse_decimal("3.14159265", uint64_t{1} << 24, UINT64_MAX), parse_decimal("32767.99999", 65536, UINT32_MAX)};
-    static constexpr double wanted[] = {0, 1000.25 * 65536, 0.1 * 65536, 0.00001 * 65536, 3.14159265 * 16777216, 32767.99999 * 65536};
-    to.add({.name = "decimal literals", .header = "num/literal.hpp", .functions = "parse_decimal", .unit = "units", .bound = 0.5, .inputs = {0, std::size(parsed) - 1}},
+    static constexpr uint64_t parsed[] = {parse_decimal("0", 65536, UINT32_MAX),
+                                          parse_decimal("1'000.25", 65536, UINT32_MAX),
+                                          parse_decimal("0.1", 65536, UINT32_MAX),
+                                          parse_decimal("0.00001", 65536, UINT32_MAX),
+                                          parse_decimal("3.14159265", uint64_t{1} << 24, UINT64_MAX),
+                                          parse_decimal("32767.99999", 65536, UINT32_MAX)};
+    static constexpr double wanted[] = {
+        0, 1000.25 * 65536, 0.1 * 65536, 0.00001 * 65536, 3.14159265 * 16777216, 32767.99999 * 65536};
+    to.add({.name = "decimal literals",
+            .header = "num/literal.hpp",
+            .functions = "parse_decimal",
+            .unit = "units",
+            .bound = 0.5,
+            .inputs = {0, std::size(parsed) - 1}},
            [](uint64_t i) { return std::fabs(static_cast<double>(parsed[i]) - wanted[i]); });
 }
 

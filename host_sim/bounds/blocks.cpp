@@ -11,7 +11,9 @@ long double wide_block(Block b) { return std::ldexp(static_cast<long double>(b.m
 
 Block any_block(Dice& dice) { return {dice.long_number() >> 1, dice.integer(-60, 60)}; }
 
-double share_of(long double error, long double size) { return static_cast<double>(size == 0 ? std::fabs(error) : std::fabs(error / size)); }
+double share_of(long double error, long double size) {
+    return static_cast<double>(size == 0 ? std::fabs(error) : std::fabs(error / size));
+}
 
 double shortened_error(Dice& dice) {
     const Block b = any_block(dice), s = b.shortened();
@@ -43,11 +45,14 @@ double product_error(Dice& dice) {
 double sum_error(Dice& dice) {
     const Block a = any_block(dice), b = any_block(dice);
     const long double size = std::fmax(std::fabs(wide_block(a)), std::fabs(wide_block(b)));
-    return std::fmax(share_of(wide_block(a + b) - (wide_block(a) + wide_block(b)), size), share_of(wide_block(a - b) - (wide_block(a) - wide_block(b)), size));
+    return std::fmax(share_of(wide_block(a + b) - (wide_block(a) + wide_block(b)), size),
+                     share_of(wide_block(a - b) - (wide_block(a) - wide_block(b)), size));
 }
 
 BlockVector any_block_vector(Dice& dice) { return {any_block(dice), any_block(dice), any_block(dice)}; }
-long double largest(const BlockVector& v) { return std::fmax(std::fabs(wide_block(v.x)), std::fmax(std::fabs(wide_block(v.y)), std::fabs(wide_block(v.z)))); }
+long double largest(const BlockVector& v) {
+    return std::fmax(std::fabs(wide_block(v.x)), std::fmax(std::fabs(wide_block(v.y)), std::fabs(wide_block(v.z))));
+}
 
 double vector_error(Dice& dice) {
     const BlockVector a = any_block_vector(dice), b = any_block_vector(dice), sum = a + b, difference = a - b;
@@ -61,18 +66,24 @@ double vector_error(Dice& dice) {
     equal(sum.x, a.x + b.x), equal(sum.y, a.y + b.y), equal(sum.z, a.z + b.z);
     equal(difference.x, a.x - b.x), equal(difference.y, a.y - b.y), equal(difference.z, a.z - b.z);
     equal(product.x, a.x * k), equal(product.y, a.y * k), equal(product.z, a.z * k);
-    equal(exact.x, {int64_t{p.x.raw} * q.x.raw, -32}), equal(exact.y, {int64_t{p.y.raw} * q.y.raw, -32}), equal(exact.z, {int64_t{p.z.raw} * q.z.raw, -32});
+    equal(exact.x, {int64_t{p.x.raw} * q.x.raw, -32}), equal(exact.y, {int64_t{p.y.raw} * q.y.raw, -32}),
+        equal(exact.z, {int64_t{p.z.raw} * q.z.raw, -32});
     equal(same.x, {p.x.raw, -16}), equal(same.y, {p.y.raw, -16}), equal(same.z, {p.z.raw, -16});
-    wrong(units.x, a.x.in_units_of(a.top() - 30))(units.y, a.y.in_units_of(a.top() - 30))(units.z, a.z.in_units_of(a.top() - 30));
+    wrong(units.x, a.x.in_units_of(a.top() - 30))(units.y, a.y.in_units_of(a.top() - 30))(
+        units.z, a.z.in_units_of(a.top() - 30));
     return wrong(a.top(), std::max({a.x.top(), a.y.top(), a.z.top()}));
 }
 
 double rotated_error(Dice& dice) {
-    const Mat3 m = rotate_x({dice.word()}) * rotate_y({dice.word()}) * rotate_z({dice.word()});
+    const Mat3 m = dice.rotation();
     const BlockVector v = any_block_vector(dice), got = m * v;
-    const auto exact = [&](const Normal30& r) { return (r.x.raw * wide_block(v.x) + r.y.raw * wide_block(v.y) + r.z.raw * wide_block(v.z)) * 0x1p-30L; };
+    const auto exact = [&](const Normal30& r) {
+        return (r.x.raw * wide_block(v.x) + r.y.raw * wide_block(v.y) + r.z.raw * wide_block(v.z)) * 0x1p-30L;
+    };
     const long double size = largest(v);
-    return std::fmax(share_of(wide_block(got.x) - exact(m.row[0]), size), std::fmax(share_of(wide_block(got.y) - exact(m.row[1]), size), share_of(wide_block(got.z) - exact(m.row[2]), size)));
+    return std::fmax(share_of(wide_block(got.x) - exact(m.row[0]), size),
+                     std::fmax(share_of(wide_block(got.y) - exact(m.row[1]), size),
+                               share_of(wide_block(got.z) - exact(m.row[2]), size)));
 }
 
 }  // namespace
@@ -81,13 +92,24 @@ void add_blocks(Entries& to) {
     const auto entry = [](const char* name, const char* functions, const char* unit, double bound) {
         return Entry{.name = name, .header = "num/block.hpp", .functions = functions, .unit = unit, .bound = bound};
     };
-    to.add_random(entry("Block::shortened", "Block::shortened", "of it", std::ldexp(1.0, block_shortened_max_error_log2)), shortened_error);
+    to.add_random(
+        entry("Block::shortened", "Block::shortened", "of it", std::ldexp(1.0, block_shortened_max_error_log2)),
+        shortened_error);
     to.add_random(entry("Block::top", "Block::top", "wrong results", 0), top_error);
     to.add_random(entry("Block::in_units_of", "Block::in_units_of", "units", 0.5), units_error);
-    to.add_random(entry("Block product", "Block::operator*", "of it", std::ldexp(1.0, block_product_max_error_log2)), product_error);
-    to.add_random(entry("Block sum", "Block::operator+ Block::operator-", "of the larger operand", std::ldexp(1.0, block_sum_max_error_log2)), sum_error);
-    to.add_random(entry("BlockVector", "BlockVector::top BlockVector::in_units_of BlockVector::operator+ BlockVector::operator- BlockVector::operator* as_block component_product", "units, from Block", 0), vector_error);
-    to.add_random(entry("Mat3 times BlockVector", "operator*", "of the largest component", std::ldexp(1.0, block_rotation_max_error_log2)), rotated_error);
+    to.add_random(entry("Block product", "Block::operator*", "of it", std::ldexp(1.0, block_product_max_error_log2)),
+                  product_error);
+    to.add_random(entry("Block sum", "Block::operator+ Block::operator-", "of the larger operand",
+                        std::ldexp(1.0, block_sum_max_error_log2)),
+                  sum_error);
+    to.add_random(entry("BlockVector",
+                        "BlockVector::top BlockVector::in_units_of BlockVector::operator+ BlockVector::operator- "
+                        "BlockVector::operator* as_block component_product",
+                        "units, from Block", 0),
+                  vector_error);
+    to.add_random(entry("Mat3 times BlockVector", "operator*", "of the largest component",
+                        std::ldexp(1.0, block_rotation_max_error_log2)),
+                  rotated_error);
 }
 
 }  // namespace shade16::bounds

@@ -33,7 +33,9 @@ Line highlight_line(int exponent) {
     Line line{fmt::format("n = {}", exponent)};
     for (int i = 0; i < columns; ++i) {
         double worst = 0;
-        for (int k = 0; k < samples; ++k) worst = std::fmax(worst, power_error<Tier>(kernel, exponent, std::pow(10.0, -6 + 6 * (i + k / double{samples}) / columns)));
+        for (int k = 0; k < samples; ++k)
+            worst = std::fmax(worst, power_error<Tier>(kernel, exponent,
+                                                       std::pow(10.0, -6 + 6 * (i + k / double{samples}) / columns)));
         line.points.emplace_back(std::pow(10.0, -6 + 6 * (i + 0.5) / columns), worst);
     }
     return line;
@@ -43,7 +45,18 @@ template <class Tier>
 Chart highlight_chart() {
     const double bound = Arithmetic<Tier>::shininess_max_error.micro * 1e-6;
     Chart chart{.title = fmt::format("{}: error of (N.H)^n", Tier::name),
-                .x = {.label = "N.H", .from = 1e-6, .to = 1, .is_logarithmic = true, .ticks = {{1e-6, "0.999999"}, {1e-5, "0.99999"}, {1e-4, "0.9999"}, {1e-3, "0.999"}, {1e-2, "0.99"}, {1e-1, "0.9"}, {0.5, "0.5"}, {1, "0"}}},
+                .x = {.label = "N.H",
+                      .from = 1e-6,
+                      .to = 1,
+                      .is_logarithmic = true,
+                      .ticks = {{1e-6, "0.999999"},
+                                {1e-5, "0.99999"},
+                                {1e-4, "0.9999"},
+                                {1e-3, "0.999"},
+                                {1e-2, "0.99"},
+                                {1e-1, "0.9"},
+                                {0.5, "0.5"},
+                                {1, "0"}}},
                 .y = {.label = "levels", .from = 0, .to = bound * 1.1, .ticks = even_ticks(bound, 4)},
                 .lines = {{"its share of the promise", {{1e-6, bound}, {1, bound}}, true}}};
     for (const int exponent : {1, 10, 50, 128, 1000}) chart.lines.push_back(highlight_line<Tier>(exponent));
@@ -63,7 +76,9 @@ Line length_line(const char* name, double unit, Normalize form) {
             const IVec3 v{scaled(d.x), scaled(d.y), scaled(d.z)}, n = form(v);
             const double x = v.x, y = v.y, z = v.z, exact = std::sqrt(x * x + y * y + z * z);
             if (exact == 0) continue;
-            worst = std::fmax(worst, std::fmax(std::fabs(n.x * unit - x / exact), std::fmax(std::fabs(n.y * unit - y / exact), std::fabs(n.z * unit - z / exact))));
+            worst = std::fmax(
+                worst, std::fmax(std::fabs(n.x * unit - x / exact),
+                                 std::fmax(std::fabs(n.y * unit - y / exact), std::fabs(n.z * unit - z / exact))));
         }
         line.points.emplace_back(octave, std::fmax(worst, 1e-12));
     }
@@ -72,19 +87,33 @@ Line length_line(const char* name, double unit, Normalize form) {
 
 template <class Tier>
 double worst_at(int exponent) {
-    return search<Tier>({"", "", static_cast<uint64_t>(exponent), {.min_exponent = static_cast<double>(exponent), .max_exponent = static_cast<double>(exponent)}, 24, 6}).largest_levels();
+    return search<Tier>({"",
+                         "",
+                         static_cast<uint64_t>(exponent),
+                         {.min_exponent = static_cast<double>(exponent), .max_exponent = static_cast<double>(exponent)},
+                         24,
+                         6})
+        .largest_levels();
 }
 
 }  // namespace
 
-std::vector<Chart> highlight_charts() { return {highlight_chart<lowp>(), highlight_chart<mediump>(), highlight_chart<highp>()}; }
+std::vector<Chart> highlight_charts() {
+    return {highlight_chart<lowp>(), highlight_chart<mediump>(), highlight_chart<highp>()};
+}
 
 Chart normalize_chart() {
-    Chart chart{.title = "Unit vectors: the worst component",
-                .x = {.label = "length of the vector, in units of its last place", .from = 0, .to = 31, .ticks = {{0, "1"}, {8, "2^8"}, {16, "2^16"}, {24, "2^24"}, {31, "2^31"}}},
-                .y = {.label = "error", .from = 1e-10, .to = 1e-3, .is_logarithmic = true, .ticks = decades(1e-10, 1e-3)}};
-    chart.lines = {length_line("normalize14, 49", 0x1p-14, [](IVec3 v) { return raw(normalize14<6>(v)); }), length_line("normalize14, 97", 0x1p-14, [](IVec3 v) { return raw(normalize14<7>(v)); }),
-                   length_line("normalize30", 0x1p-30, [](IVec3 v) { return raw(normalize30(v)); }), length_line("normalize_finely", 0x1p-30, [](IVec3 v) { return raw(normalize_finely(v)); })};
+    Chart chart{
+        .title = "Unit vectors: the worst component",
+        .x = {.label = "length of the vector, in units of its last place",
+              .from = 0,
+              .to = 31,
+              .ticks = {{0, "1"}, {8, "2^8"}, {16, "2^16"}, {24, "2^24"}, {31, "2^31"}}},
+        .y = {.label = "error", .from = 1e-10, .to = 1e-3, .is_logarithmic = true, .ticks = decades(1e-10, 1e-3)}};
+    chart.lines = {length_line("normalize14, 49", 0x1p-14, [](IVec3 v) { return raw(normalize14<6>(v)); }),
+                   length_line("normalize14, 97", 0x1p-14, [](IVec3 v) { return raw(normalize14<7>(v)); }),
+                   length_line("normalize30", 0x1p-30, [](IVec3 v) { return raw(normalize30(v)); }),
+                   length_line("normalize_finely", 0x1p-30, [](IVec3 v) { return raw(normalize_finely(v)); })};
     return chart;
 }
 
@@ -92,20 +121,30 @@ Chart exponent_chart() {
     Chart chart{.title = "The worst vertex, and a float pipeline's; L near -V included",
                 .x = {.label = "exponent n", .from = 1, .to = 1000, .is_logarithmic = true, .ticks = decades(1, 1000)},
                 .y = {.label = "levels", .from = 1e-5, .to = 10, .is_logarithmic = true, .ticks = decades(1e-5, 10)},
-                .lines = {{"lowp"}, {"mediump"}, {"highp"}, {"float32"}, {"one code of RGB565", {{1, 255 / 31.0}, {1000, 255 / 31.0}}, true}}};
+                .lines = {{"lowp"},
+                          {"mediump"},
+                          {"highp"},
+                          {"float32"},
+                          {"one code of RGB565", {{1, 255 / 31.0}, {1000, 255 / 31.0}}, true}}};
     for (const int n : {1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1000}) {
         chart.lines[0].points.emplace_back(n, worst_at<lowp>(n));
         chart.lines[1].points.emplace_back(n, worst_at<mediump>(n));
         chart.lines[2].points.emplace_back(n, worst_at<highp>(n));
         const double exponent = n;
-        chart.lines[3].points.emplace_back(n, search_float32({"", "", static_cast<uint64_t>(n), {.min_exponent = exponent, .max_exponent = exponent}, 144, 1}).largest_levels());
+        chart.lines[3].points.emplace_back(
+            n, search_float32(
+                   {"", "", static_cast<uint64_t>(n), {.min_exponent = exponent, .max_exponent = exponent}, 144, 1})
+                   .largest_levels());
     }
     return chart;
 }
 
 Chart share_chart(const std::vector<VertexResult>& vertices) {
     Chart chart{.title = "Vertices by the share of their bound",
-                .x = {.label = "share of the bound that the error takes", .from = 0, .to = 1, .ticks = {{0, "0"}, {0.25, "25 %"}, {0.5, "50 %"}, {0.75, "75 %"}, {1, "100 %"}}},
+                .x = {.label = "share of the bound that the error takes",
+                      .from = 0,
+                      .to = 1,
+                      .ticks = {{0, "0"}, {0.25, "25 %"}, {0.5, "50 %"}, {0.75, "75 %"}, {1, "100 %"}}},
                 .y = {.label = "vertices", .from = 0.5, .to = 1e7, .is_logarithmic = true, .ticks = decades(1, 1e7)},
                 .has_bars = true};
     for (const char* tier : {lowp::name, mediump::name, highp::name}) {
@@ -113,7 +152,9 @@ Chart share_chart(const std::vector<VertexResult>& vertices) {
         for (const VertexResult& v : vertices)
             if (std::string(v.tier) == tier) sum.add(v.figures);
         Line line{tier};
-        for (std::size_t i = 0; i < VertexFigures::bins; ++i) line.points.emplace_back(static_cast<double>(i) / VertexFigures::bins, static_cast<double>(sum.histogram()[i]));
+        for (std::size_t i = 0; i < VertexFigures::bins; ++i)
+            line.points.emplace_back(static_cast<double>(i) / VertexFigures::bins,
+                                     static_cast<double>(sum.histogram()[i]));
         chart.lines.push_back(std::move(line));
     }
     return chart;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "shade16/num/vec.hpp"
+#include "shade16/num/mat.hpp"
 
 namespace shade16::bounds {
 
@@ -23,7 +23,9 @@ public:
     }
     uint32_t below(uint32_t end) { return static_cast<uint32_t>((bits() >> 32) * end >> 32); }
     int integer(int low, int high) { return low + static_cast<int>(below(static_cast<uint32_t>(high - low) + 1)); }
-    double uniform(double low, double high) { return low + (high - low) * std::ldexp(static_cast<double>(bits() >> 11), -53); }
+    double uniform(double low, double high) {
+        return low + (high - low) * std::ldexp(static_cast<double>(bits() >> 11), -53);
+    }
 
     /// A word of any magnitude; every fourth is within three of a power of two, 0 or the largest.
     uint32_t word() {
@@ -47,12 +49,19 @@ public:
     /// Components of one magnitude, or each of its own.
     IVec3 vector() {
         const uint32_t shift = below(32);
-        const auto component = [&] { return below(4) == 0 ? number() : static_cast<int32_t>(bits()) >> std::min(31u, shift + below(4) * below(3)); };
+        const auto component = [&] {
+            return below(4) == 0 ? number()
+                                 : static_cast<int32_t>(bits()) >> std::min(31u, shift + below(4) * below(3));
+        };
         return {component(), component(), component()};
     }
     Vec3 vec3() {
         const IVec3 v = vector();
         return {Q16::from_raw(v.x), Q16::from_raw(v.y), Q16::from_raw(v.z)};
+    }
+    Mat3 rotation() {
+        const Angle x{word()}, y{word()}, z{word()};
+        return rotate_x(x) * rotate_y(y) * rotate_z(z);
     }
     /// Rounded to Q30.
     Normal30 direction() {

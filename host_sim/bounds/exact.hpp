@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace shade16::bounds {
 
@@ -11,6 +12,8 @@ __extension__ using WideUnsigned = unsigned __int128;
 
 /// floor((x + 2^(n-1)) / 2^n): rounded half up.
 inline Wide rounded_half_up(Wide x, int n) { return n == 0 ? x : (x + (Wide{1} << (n - 1))) >> n; }
+
+inline Wide nearest_word(Wide x) { return std::clamp<Wide>(x, INT32_MIN, INT32_MAX); }
 
 class Differences {
 public:

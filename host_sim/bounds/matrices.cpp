@@ -6,20 +6,22 @@
 namespace shade16::bounds {
 namespace {
 
-Mat3 any_rotation(Dice& dice) { return rotate_x({dice.word()}) * rotate_y({dice.word()}) * rotate_z({dice.word()}); }
-
-int32_t entry(const Mat3& m, int row, int column) { return column == 0 ? m.row[row].x.raw : column == 1 ? m.row[row].y.raw : m.row[row].z.raw; }
+int32_t entry(const Mat3& m, int row, int column) {
+    return column == 0 ? m.row[row].x.raw : column == 1 ? m.row[row].y.raw : m.row[row].z.raw;
+}
 int32_t component(IVec3 v, int i) { return i == 0 ? v.x : i == 1 ? v.y : v.z; }
 IVec3 column(const Mat3& m, int i) { return {entry(m, 0, i), entry(m, 1, i), entry(m, 2, i)}; }
 
 Wide exact_dot(IVec3 a, IVec3 b) { return Wide{a.x} * b.x + Wide{a.y} * b.y + Wide{a.z} * b.z; }
 
 double product_error(Dice& dice) {
-    const Mat3 a = any_rotation(dice), b = any_rotation(dice), product = a * b, turned = transpose(a);
+    const Mat3 a = dice.rotation(), b = dice.rotation(), product = a * b, turned = transpose(a);
     double worst = 0;
     for (int i = 0; i < 3; ++i)
         for (int k = 0; k < 3; ++k) {
-            worst = std::fmax(worst, std::fabs(entry(product, i, k) - std::ldexp(static_cast<double>(exact_dot(raw(a.row[i]), column(b, k))), -30)));
+            worst = std::fmax(worst,
+                              std::fabs(entry(product, i, k) -
+                                        std::ldexp(static_cast<double>(exact_dot(raw(a.row[i]), column(b, k))), -30)));
             worst = std::fmax(worst, std::fabs(double{1} * entry(turned, i, k) - entry(a, k, i)));
         }
     return worst;
@@ -36,7 +38,7 @@ double rotated_error(const Mat3& m, IVec3 v, IVec3 got, int extra_bits) {
 }
 
 double rotation_error(Dice& dice) {
-    const Mat3 m = any_rotation(dice);
+    const Mat3 m = dice.rotation();
     const IVec3 v = dice.vector();
     const int extra_bits = dice.integer(0, 14);
     const Vec3 q{Q16::from_raw(v.x), Q16::from_raw(v.y), Q16::from_raw(v.z)};
@@ -48,29 +50,52 @@ double axis_error(Dice& dice) {
     const auto [s, c] = sincos(a);
     const Mat3 x = rotate_x(a), y = rotate_y(a), z = rotate_z(a);
     Differences worst;
-    worst(entry(x, 1, 2), -Wide{s.raw})(entry(x, 2, 1), s.raw)(entry(x, 1, 1), c.raw)(entry(x, 2, 2), c.raw)(entry(x, 0, 0), Q30::one)(entry(x, 0, 1), 0)(entry(x, 1, 0), 0);
-    worst(entry(y, 0, 2), s.raw)(entry(y, 2, 0), -Wide{s.raw})(entry(y, 0, 0), c.raw)(entry(y, 2, 2), c.raw)(entry(y, 1, 1), Q30::one)(entry(y, 0, 1), 0)(entry(y, 2, 1), 0);
-    return worst(entry(z, 0, 1), -Wide{s.raw})(entry(z, 1, 0), s.raw)(entry(z, 0, 0), c.raw)(entry(z, 1, 1), c.raw)(entry(z, 2, 2), Q30::one)(entry(z, 0, 2), 0)(entry(z, 2, 1), 0);
+    worst(entry(x, 1, 2), -Wide{s.raw})(entry(x, 2, 1), s.raw)(entry(x, 1, 1), c.raw)(entry(x, 2, 2), c.raw)(
+        entry(x, 0, 0), Q30::one)(entry(x, 0, 1), 0)(entry(x, 1, 0), 0);
+    worst(entry(y, 0, 2), s.raw)(entry(y, 2, 0), -Wide{s.raw})(entry(y, 0, 0), c.raw)(entry(y, 2, 2), c.raw)(
+        entry(y, 1, 1), Q30::one)(entry(y, 0, 1), 0)(entry(y, 2, 1), 0);
+    return worst(entry(z, 0, 1), -Wide{s.raw})(entry(z, 1, 0), s.raw)(entry(z, 0, 0), c.raw)(entry(z, 1, 1), c.raw)(
+        entry(z, 2, 2), Q30::one)(entry(z, 0, 2), 0)(entry(z, 2, 1), 0);
 }
 
 /// There and back again: what a rigid transform and its inverse leave, in ulp of Q16.
 double inverse_error(Dice& dice) {
     const auto small = [&] { return Q16::from_raw(dice.number() >> 4); };
-    const Mat3x4 m{any_rotation(dice), {small(), small(), small()}};
+    const Mat3x4 m{dice.rotation(), {small(), small(), small()}};
     const Vec3 v{small(), small(), small()}, back = (inverse(m) * m) * v, twice = inverse(m) * (m * v);
     double worst = 0;
     for (const Vec3& got : {back, twice})
-        for (int i = 0; i < 3; ++i) worst = std::fmax(worst, std::fabs(double{1} * component(raw(got), i) - component(raw(v), i)));
+        for (int i = 0; i < 3; ++i)
+            worst = std::fmax(worst, std::fabs(double{1} * component(raw(got), i) - component(raw(v), i)));
     return worst;
 }
 
 }  // namespace
 
 void add_matrices(Entries& to) {
-    to.add_random({.name = "Mat3 product", .header = "num/mat.hpp", .functions = "operator* transpose", .unit = "ulp of Q30", .bound = mat3_product_max_error.milli / 1000.0}, product_error);
-    to.add_random({.name = "rotate", .header = "num/mat.hpp", .functions = "rotate operator*", .unit = "ulp of the result", .bound = rotate_max_error.milli / 1000.0}, rotation_error);
-    to.add_random({.name = "rotate_x, rotate_y, rotate_z", .header = "num/mat.hpp", .functions = "rotate_x rotate_y rotate_z", .unit = "ulp of Q30, beyond sincos"}, axis_error);
-    to.add_random({.name = "inverse(Mat3x4)", .header = "num/mat.hpp", .functions = "inverse operator*", .unit = "ulp of Q16, there and back", .bound = inverse_max_error.milli / 1000.0}, inverse_error);
+    to.add_random({.name = "Mat3 product",
+                   .header = "num/mat.hpp",
+                   .functions = "operator* transpose",
+                   .unit = "ulp of Q30",
+                   .bound = mat3_product_max_error.milli / 1000.0},
+                  product_error);
+    to.add_random({.name = "rotate",
+                   .header = "num/mat.hpp",
+                   .functions = "rotate operator*",
+                   .unit = "ulp of the result",
+                   .bound = rotate_max_error.milli / 1000.0},
+                  rotation_error);
+    to.add_random({.name = "rotate_x, rotate_y, rotate_z",
+                   .header = "num/mat.hpp",
+                   .functions = "rotate_x rotate_y rotate_z",
+                   .unit = "ulp of Q30, beyond sincos"},
+                  axis_error);
+    to.add_random({.name = "inverse(Mat3x4)",
+                   .header = "num/mat.hpp",
+                   .functions = "inverse operator*",
+                   .unit = "ulp of Q16, there and back",
+                   .bound = inverse_max_error.milli / 1000.0},
+                  inverse_error);
 }
 
 }  // namespace shade16::bounds

@@ -10,7 +10,9 @@ constexpr uint64_t ordinary_inputs = 4'000'000, ordinary_cases = 1'000'000, near
 uint64_t size_less_one(const Span& s) { return s.last - s.first; }
 
 /// The inputs within `near` of a place.
-Span around(const Span& all, uint64_t place) { return {std::max(all.first, place < near ? 0 : place - near), std::min(all.last, place + near)}; }
+Span around(const Span& all, uint64_t place) {
+    return {std::max(all.first, place < near ? 0 : place - near), std::min(all.last, place + near)};
+}
 
 }  // namespace
 

@@ -13,9 +13,9 @@ struct Shard {
     uint64_t number = 0, of = 1;
 };
 
-/// What an ordinary run measures of a function of one argument: every input of a small domain; of a large one those around
-/// every power of two, counted from both ends, and around a hundred places in between, and four million spread evenly.
-/// Of random cases it takes a million.
+/// What an ordinary run measures of a function of one argument: every input of a small domain; of a large one those
+/// around every power of two, counted from both ends, and around a hundred places in between, and four million spread
+/// evenly. Of random cases it takes a million.
 std::vector<Span> ordinary_spans(const Entry& entry);
 
 /// All inputs, in pieces of equal length, of which a shard takes every of-th.

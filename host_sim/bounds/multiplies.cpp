@@ -24,7 +24,9 @@ double products(Dice& dice) {
 }  // namespace
 
 void add_multiplies(Entries& to) {
-    to.add_random({.name = "multiply, mulhi", .header = "num/mulhi.hpp", .functions = "multiply mulhi", .unit = "units"}, products);
+    to.add_random(
+        {.name = "multiply, mulhi", .header = "num/mulhi.hpp", .functions = "multiply mulhi", .unit = "units"},
+        products);
 }
 
 }  // namespace shade16::bounds

@@ -36,19 +36,25 @@ std::string looked_at(const Result& r) { return with_commas(r.inputs) + (r.is_ex
 
 std::string row(const Result& r) {
     const double share = r.bound == 0 ? 0 : r.measured / r.bound;
-    return fmt::format("<tr><td>{}</td><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td>{}</td><td><span class=\"meter\"><i style=\"width:{:.0f}%\"></i></span>{}</td><td class=\"n\">{}</td>"
-                       "<td class=\"{}</td></tr>\n",
-                       escaped(r.name), r.tier, figure(r.bound), figure(r.measured), escaped(r.unit), 100 * std::min(share, 1.0), r.bound == 0 ? "exact" : fmt::format("{:.1f} %", 100 * share), looked_at(r),
-                       r.holds() ? "kept\">kept" : "broken\">broken");
+    return fmt::format(
+        "<tr><td>{}</td><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td>{}</td><td><span "
+        "class=\"meter\"><i style=\"width:{:.0f}%\"></i></span>{}</td><td class=\"n\">{}</td>"
+        "<td class=\"{}</td></tr>\n",
+        escaped(r.name), r.tier, figure(r.bound), figure(r.measured), escaped(r.unit), 100 * std::min(share, 1.0),
+        r.bound == 0 ? "exact" : fmt::format("{:.1f} %", 100 * share), looked_at(r),
+        r.holds() ? "kept\">kept" : "broken\">broken");
 }
 
 std::string figure_chart(const Chart& chart) { return "<figure style=\"margin:0\">" + svg(chart) + "</figure>\n"; }
 
 std::string vertex_row(const VertexResult& v) {
     const VertexFigures& f = v.figures;
-    return fmt::format("<tr><td>{}</td><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{:.1f} %</td><td class=\"n\">{:.2f} %</td><td class=\"n\">{:.2f} %</td><td class=\"n\">{}</td></tr>\n",
-                       escaped(v.domain.name), v.tier, figure(f.largest_levels()), figure(f.usual_levels()), figure(f.mean_levels()), 100 * f.largest_share(), 100 * f.exact_at_8_bits(), 100 * f.exact_at_565(),
-                       with_commas(f.vertices()));
+    return fmt::format(
+        "<tr><td>{}</td><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td "
+        "class=\"n\">{:.1f} %</td><td class=\"n\">{:.2f} %</td><td class=\"n\">{:.2f} %</td><td "
+        "class=\"n\">{}</td></tr>\n",
+        escaped(v.domain.name), v.tier, figure(f.largest_levels()), figure(f.usual_levels()), figure(f.mean_levels()),
+        100 * f.largest_share(), 100 * f.exact_at_8_bits(), 100 * f.exact_at_565(), with_commas(f.vertices()));
 }
 
 /// What rounding to a display's codes errs by itself, so that nobody is misled.
@@ -56,7 +62,11 @@ struct Rounding {
     const char* format;
     double code_levels;
 };
-constexpr Rounding roundings[] = {{"RGB888, Gray8", 1}, {"RGB565, green", 255 / 63.0}, {"RGB565, red and blue", 255 / 31.0}, {"Gray4", 17}, {"Mono1", 255}};
+constexpr Rounding roundings[] = {{"RGB888, Gray8", 1},
+                                  {"RGB565, green", 255 / 63.0},
+                                  {"RGB565, red and blue", 255 / 31.0},
+                                  {"Gray4", 17},
+                                  {"Mono1", 255}};
 
 /// The lines of a chart as the columns of a table.
 std::string table(const Chart& chart) {
@@ -80,38 +90,62 @@ std::string page(const Report& report) {
     const auto& [results, vertices, exponents] = report;
     const auto broken = std::ranges::count_if(results, [](const Result& r) { return !r.holds(); });
     std::string text = style;
-    text += "<h1>shade16: what it promises, and what was measured</h1>\n<p class=\"lead\">Every function that errs has a bound, a constant in its header. Here each is held against double precision or wider; "
-            "what is exact has the bound 0. A level is 1/255 of a colour channel.</p>\n";
-    text += fmt::format("<p class=\"verdict {}</p>\n", broken == 0 ? fmt::format("kept\">All {} bounds are kept.", results.size()) : fmt::format("broken\">{} of {} bounds are broken.", broken, results.size()));
+    text +=
+        "<h1>shade16: what it promises, and what was measured</h1>\n<p class=\"lead\">Every function that errs has a "
+        "bound, a constant in its header. Here each is held against double precision or wider; "
+        "what is exact has the bound 0. A level is 1/255 of a colour channel.</p>\n";
+    text += fmt::format("<p class=\"verdict {}</p>\n",
+                        broken == 0 ? fmt::format("kept\">All {} bounds are kept.", results.size())
+                                    : fmt::format("broken\">{} of {} bounds are broken.", broken, results.size()));
     text += "<div class=\"charts\">\n";
     for (const Chart& chart : highlight_charts()) text += figure_chart(chart);
     text += figure_chart(normalize_chart()) + figure_chart(exponents);
     if (!vertices.empty()) text += figure_chart(share_chart(vertices));
     text += "</div>\n";
     if (!vertices.empty()) {
-        text += "<h2>Whole vertices</h2>\n<p class=\"lead\">Searched with restarts and hill climbing. A promise is for a light that arrives at 1 with |L + V| from 0.5: where lamps arrive at more, or L is near -V, more is allowed, and the share of the promise is what counts. Exact: channels that get the code that double precision gets.</p>\n"
-                "<div class=\"scroll\"><table><tr><th>scenes</th><th>tier</th><th class=\"n\">largest, levels</th><th class=\"n\">99.9 %</th><th class=\"n\">mean</th><th class=\"n\">of its promise</th><th class=\"n\">exact at 8 bits</th><th class=\"n\">at RGB565</th><th class=\"n\">vertices</th></tr>\n";
+        text +=
+            "<h2>Whole vertices</h2>\n<p class=\"lead\">Searched with restarts and hill climbing. A promise is for a "
+            "light that arrives at 1 with |L + V| from 0.5: where lamps arrive at more, or L is near -V, more is "
+            "allowed, and the share of the promise is what counts. Exact: channels that get the code that double "
+            "precision gets.</p>\n"
+            "<div class=\"scroll\"><table><tr><th>scenes</th><th>tier</th><th class=\"n\">largest, levels</th><th "
+            "class=\"n\">99.9 %</th><th class=\"n\">mean</th><th class=\"n\">of its promise</th><th class=\"n\">exact "
+            "at 8 bits</th><th class=\"n\">at RGB565</th><th class=\"n\">vertices</th></tr>\n";
         for (const VertexResult& v : vertices) text += vertex_row(v);
         text += "</table></div>\n";
     }
-    text += "<h2>The display's own rounding</h2>\n<div class=\"scroll\"><table><tr><th>format</th><th class=\"n\">one code, levels</th><th class=\"n\">rounding errs by at most</th></tr>\n";
-    for (const Rounding& r : roundings) text += fmt::format("<tr><td>{}</td><td class=\"n\">{:.3g}</td><td class=\"n\">{:.3g}</td></tr>\n", r.format, r.code_levels, r.code_levels / 2);
-    text += "</table></div>\n<h2>Every function</h2>\n<div class=\"scroll\"><table><tr><th>function</th><th>tier</th><th class=\"n\">bound</th><th class=\"n\">measured</th><th>unit</th><th>share</th><th class=\"n\">inputs</th><th>verdict</th></tr>\n";
+    text +=
+        "<h2>The display's own rounding</h2>\n<div class=\"scroll\"><table><tr><th>format</th><th class=\"n\">one "
+        "code, levels</th><th class=\"n\">rounding errs by at most</th></tr>\n";
+    for (const Rounding& r : roundings)
+        text += fmt::format("<tr><td>{}</td><td class=\"n\">{:.3g}</td><td class=\"n\">{:.3g}</td></tr>\n", r.format,
+                            r.code_levels, r.code_levels / 2);
+    text +=
+        "</table></div>\n<h2>Every function</h2>\n<div class=\"scroll\"><table><tr><th>function</th><th>tier</th><th "
+        "class=\"n\">bound</th><th class=\"n\">measured</th><th>unit</th><th>share</th><th "
+        "class=\"n\">inputs</th><th>verdict</th></tr>\n";
     for (const Result& r : results) text += row(r);
     return text + "</table></div>\n</body></html>\n";
 }
 
 std::string markdown(const Report& report) {
     const auto& [results, vertices, exponents] = report;
-    std::string text = "| scenes | tier | largest | 99.9 % | mean | of its promise | exact at 8 bits | exact at RGB565 | vertices |\n|---|---|---|---|---|---|---|---|---|\n";
+    std::string text =
+        "| scenes | tier | largest | 99.9 % | mean | of its promise | exact at 8 bits | exact at RGB565 | vertices "
+        "|\n|---|---|---|---|---|---|---|---|---|\n";
     for (const VertexResult& v : vertices) {
         const VertexFigures& f = v.figures;
-        text += fmt::format("| {} | {} | {} | {} | {} | {:.1f} % | {:.2f} % | {:.2f} % | {} |\n", v.domain.name, v.tier, figure(f.largest_levels()), figure(f.usual_levels()), figure(f.mean_levels()), 100 * f.largest_share(),
-                            100 * f.exact_at_8_bits(), 100 * f.exact_at_565(), with_commas(f.vertices()));
+        text += fmt::format("| {} | {} | {} | {} | {} | {:.1f} % | {:.2f} % | {:.2f} % | {} |\n", v.domain.name, v.tier,
+                            figure(f.largest_levels()), figure(f.usual_levels()), figure(f.mean_levels()),
+                            100 * f.largest_share(), 100 * f.exact_at_8_bits(), 100 * f.exact_at_565(),
+                            with_commas(f.vertices()));
     }
-    text += "\n" + exponents.title + ", in levels:\n\n" + table(exponents) + "\n| function | tier | bound | measured | unit | inputs |\n|---|---|---|---|---|---|\n";
+    text += "\n" + exponents.title + ", in levels:\n\n" + table(exponents) +
+            "\n| function | tier | bound | measured | unit | inputs |\n|---|---|---|---|---|---|\n";
     for (const Result& r : results)
-        if (!r.name.starts_with("vertex: ")) text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", r.name, r.tier, figure(r.bound), figure(r.measured), r.unit, looked_at(r));
+        if (!r.name.starts_with("vertex: "))
+            text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", r.name, r.tier, figure(r.bound),
+                                figure(r.measured), r.unit, looked_at(r));
     return text;
 }
 

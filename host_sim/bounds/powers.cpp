@@ -9,7 +9,8 @@ namespace {
 /// In shares of what an exponent is allowed.
 double power_error(Scaled x, int32_t exponent, int fraction_bits) {
     const long double p = std::ldexp(static_cast<long double>(exponent), -fraction_bits);
-    const double allowed = std::ldexp(scaled_power_max_error + scaled_power_max_error_each * std::fabs(static_cast<double>(p)), -40);
+    const double allowed =
+        std::ldexp(scaled_power_max_error + scaled_power_max_error_each * std::fabs(static_cast<double>(p)), -40);
     return relative_error(wide(power(x, exponent, fraction_bits)), std::pow(wide(x), p)) / allowed;
 }
 
@@ -27,7 +28,8 @@ double cosine_error(Dice& dice) {
 
 double complement_error(Dice& dice) {
     const uint32_t u = dice.word(), n = 65536 + dice.below(999 * 65536 + 1);
-    const long double exact = std::pow(1 - std::ldexp(static_cast<long double>(u), -32), std::ldexp(static_cast<long double>(n), -16));
+    const long double exact =
+        std::pow(1 - std::ldexp(static_cast<long double>(u), -32), std::ldexp(static_cast<long double>(n), -16));
     return static_cast<double>(std::fabs(std::ldexp(static_cast<long double>(power_of_complement(u, n)), -32) - exact));
 }
 
@@ -37,16 +39,20 @@ void add_powers(Entries& to) {
     const auto entry = [](const char* name, const char* functions, const char* unit, double bound) {
         return Entry{.name = name, .header = "num/power.hpp", .functions = functions, .unit = unit, .bound = bound};
     };
-    to.add_random(entry("negative_log2", "negative_log2", "absolute", std::ldexp(1.0, negative_log2_max_error_log2)), [](Dice& dice) {
-        const uint64_t x = std::max<uint64_t>(dice.long_word(), 1);
-        const long double exact = 64 - std::log2(static_cast<long double>(x));
-        return static_cast<double>(std::fabs(std::ldexp(static_cast<long double>(negative_log2(x)), -48) - exact));
-    });
-    to.add_random(entry("exp2_negative", "exp2_negative", "absolute", std::ldexp(1.0, exp2_negative_max_error_log2)), [](Dice& dice) {
-        const uint64_t t = dice.below(2) != 0 ? dice.long_word() : dice.bits() >> 11;  // half of them below 32
-        const long double exact = std::exp2(-std::ldexp(static_cast<long double>(t), -48));
-        return static_cast<double>(std::fabs(std::ldexp(static_cast<long double>(exp2_negative(t)), -32) - exact));
-    });
+    to.add_random(
+        entry("negative_log2", "negative_log2", "absolute", std::ldexp(1.0, negative_log2_max_error_log2)),
+        [](Dice& dice) {
+            const uint64_t x = std::max<uint64_t>(dice.long_word(), 1);
+            const long double exact = 64 - std::log2(static_cast<long double>(x));
+            return static_cast<double>(std::fabs(std::ldexp(static_cast<long double>(negative_log2(x)), -48) - exact));
+        });
+    to.add_random(
+        entry("exp2_negative", "exp2_negative", "absolute", std::ldexp(1.0, exp2_negative_max_error_log2)),
+        [](Dice& dice) {
+            const uint64_t t = dice.below(2) != 0 ? dice.long_word() : dice.bits() >> 11;  // half of them below 32
+            const long double exact = std::exp2(-std::ldexp(static_cast<long double>(t), -48));
+            return static_cast<double>(std::fabs(std::ldexp(static_cast<long double>(exp2_negative(t)), -32) - exact));
+        });
     to.add_random(entry("times_q16", "times_q16", "units", 0), [](Dice& dice) {
         const uint64_t t = dice.long_word();
         const uint32_t n = dice.word();
@@ -54,9 +60,21 @@ void add_powers(Entries& to) {
         const WideUnsigned wanted = high >> 47 ? WideUnsigned{UINT64_MAX} : (high << 16) + (low >> 16);
         return static_cast<double>(wanted > times_q16(t, n) ? wanted - times_q16(t, n) : times_q16(t, n) - wanted);
     });
-    to.add_random(entry("power_of_complement", "power_of_complement", "absolute", std::ldexp(1.0, power_of_complement_max_error_log2)), complement_error);
-    to.add_random({.name = "power, falloff", .header = "num/scaled_power.hpp", .functions = "power", .unit = "of 2^-29 + |p| 2^-31.4", .bound = 1}, falloff_error);
-    to.add_random({.name = "power, cosine", .header = "num/scaled_power.hpp", .functions = "power", .unit = "of 2^-29 + |p| 2^-31.4", .bound = 1}, cosine_error);
+    to.add_random(entry("power_of_complement", "power_of_complement", "absolute",
+                        std::ldexp(1.0, power_of_complement_max_error_log2)),
+                  complement_error);
+    to.add_random({.name = "power, falloff",
+                   .header = "num/scaled_power.hpp",
+                   .functions = "power",
+                   .unit = "of 2^-29 + |p| 2^-31.4",
+                   .bound = 1},
+                  falloff_error);
+    to.add_random({.name = "power, cosine",
+                   .header = "num/scaled_power.hpp",
+                   .functions = "power",
+                   .unit = "of 2^-29 + |p| 2^-31.4",
+                   .bound = 1},
+                  cosine_error);
 }
 
 }  // namespace shade16::bounds

@@ -38,7 +38,8 @@ inline Q16 q16(double v) { return Q16::from_raw(static_cast<int32_t>(std::lround
 inline Vec3 vec3(const glm::dvec3& v) { return {q16(v.x), q16(v.y), q16(v.z)}; }
 inline Normal14 normal14(const glm::dvec3& v) {
     const glm::dvec3 n = glm::normalize(v) * 16384.0;
-    return {Unit14::from_raw(static_cast<int32_t>(std::lround(n.x))), Unit14::from_raw(static_cast<int32_t>(std::lround(n.y))),
+    return {Unit14::from_raw(static_cast<int32_t>(std::lround(n.x))),
+            Unit14::from_raw(static_cast<int32_t>(std::lround(n.y))),
             Unit14::from_raw(static_cast<int32_t>(std::lround(n.z)))};
 }
 
@@ -51,7 +52,7 @@ struct SurfaceOptions {
     bool reflected = false;  // Phong's highlights
     bool falloff = false, range = false;
     double min_cone_degrees = 0;  // above 0: spots, with at least so much between inner and outer
-    double max_distance = 400;  // of lights and eye, in model radii
+    double max_distance = 400;    // of lights and eye, in model radii
 };
 
 /// One random scene of one object whose vertices have nothing to do with each other.
@@ -110,8 +111,11 @@ private:
             if (options.attenuation) {
                 // Strong enough to arrive at about 1.0 where it stands, however far that is.
                 const double d = glm::length(reference::value(light.position));
-                light.attenuation = {q16(random.uniform(0, 1)), q16(random.uniform(0, 1)), q16(random.log_uniform(0.001, 1))};
-                const double fading = reference::value(light.attenuation.constant) + reference::value(light.attenuation.linear) * d + reference::value(light.attenuation.quadratic) * d * d;
+                light.attenuation = {q16(random.uniform(0, 1)), q16(random.uniform(0, 1)),
+                                     q16(random.log_uniform(0.001, 1))};
+                const double fading = reference::value(light.attenuation.constant) +
+                                      reference::value(light.attenuation.linear) * d +
+                                      reference::value(light.attenuation.quadratic) * d * d;
                 light.intensity = Scaled::normalized(static_cast<uint64_t>(std::max(fading, 1e-3) * 65536), -16);
             }
             lights_.push_back(light);
@@ -122,7 +126,9 @@ private:
         Material& m = object_.material;
         m.diffuse = random.color(), m.specular = random.coin() ? white : random.color();
         m.ambient = random.color();
-        if (options.lights > 1) m.emissive = {{static_cast<uint16_t>(random.integer(0, 8000))}, {static_cast<uint16_t>(random.integer(0, 8000))}, {}};
+        if (options.lights > 1)
+            m.emissive = {
+                {static_cast<uint16_t>(random.integer(0, 8000))}, {static_cast<uint16_t>(random.integer(0, 8000))}, {}};
         m.shininess = q16(random.log_uniform(options.min_exponent, options.max_exponent));
         const auto angle = [&] { return Angle{static_cast<uint32_t>(random.uniform(0, 4294967295.0))}; };
         object_.pose.rotation = rotate_x(angle()) * rotate_y(angle()) * rotate_z(angle());
@@ -137,7 +143,8 @@ private:
     /// Some point where vertices may be, in the world.
     glm::dvec3 any_point(Random& random) const {
         const double reach = std::ldexp(1.0, 15 - object_.mesh.fraction_bits);
-        return reference::to_world(object_.pose, {random.uniform(-reach, reach), random.uniform(-reach, reach), random.uniform(-reach, reach)});
+        return reference::to_world(object_.pose, {random.uniform(-reach, reach), random.uniform(-reach, reach),
+                                                  random.uniform(-reach, reach)});
     }
     /// Lamps with a falloff, a range, a cone, at whose edges there are vertices; strong enough to arrive at about 1.0.
     void shape(Random& random, const SurfaceOptions& options, Light& light) {
@@ -147,8 +154,9 @@ private:
         const glm::dmat3 view_to_world = glm::transpose(reference::make_view(scene_.camera, {1, 1}).rotation);
         const glm::dvec3 given = reference::value(light.position), target = any_point(random);
         const glm::dvec3 place = light.space == Space::world ? given
-                                 : light.space == Space::view ? reference::value(scene_.camera.eye) + view_to_world * given
-                                                              : reference::to_world(object_.pose, given);
+                                 : light.space == Space::view
+                                     ? reference::value(scene_.camera.eye) + view_to_world * given
+                                     : reference::to_world(object_.pose, given);
         const double distance = glm::length(target - place);
         double arriving = 1;
         if (options.falloff) {
@@ -163,26 +171,34 @@ private:
         light.intensity = Scaled::normalized(static_cast<uint64_t>(std::clamp(1 / arriving, 1e-3, 1e9) * 65536), -16);
         if (!spot) return;
         const double between = random.log_uniform(options.min_cone_degrees, 60);
-        const double inner = random.coin() ? random.uniform(0, 89 - between > 0 ? 89 - between : 0) : random.uniform(0, 2);
-        const auto angle = [](double degrees) { return Angle{static_cast<uint32_t>(std::llround(degrees / 360 * 4294967296.0))}; };
+        const double inner =
+            random.coin() ? random.uniform(0, 89 - between > 0 ? 89 - between : 0) : random.uniform(0, 2);
+        const auto angle = [](double degrees) {
+            return Angle{static_cast<uint32_t>(std::llround(degrees / 360 * 4294967296.0))};
+        };
         light.spot.inner = angle(inner), light.spot.outer = angle(inner + between);
         if (random.coin()) light.spot.exponent = q16(random.log_uniform(1, 128));
         const double off = glm::radians(random.uniform(random.coin() ? inner : 0, inner + between));
-        const glm::dvec3 to_target = glm::normalize(target - place), aside = glm::normalize(glm::cross(to_target, random.direction()));
+        const glm::dvec3 to_target = glm::normalize(target - place),
+                         aside = glm::normalize(glm::cross(to_target, random.direction()));
         const glm::dvec3 axis = (std::cos(off) * to_target + std::sin(off) * aside) * random.log_uniform(0.1, 100);
-        light.spot.direction = vec3(light.space == Space::world  ? axis
-                                    : light.space == Space::view ? glm::transpose(view_to_world) * axis
-                                                                 : glm::transpose(reference::value(object_.pose.rotation)) * axis);
+        light.spot.direction =
+            vec3(light.space == Space::world  ? axis
+                 : light.space == Space::view ? glm::transpose(view_to_world) * axis
+                                              : glm::transpose(reference::value(object_.pose.rotation)) * axis);
     }
     glm::dvec3 half_vector(Random& random, uint32_t i) {
         const reference::Scene exact{scene_, {reference::value(object_.mesh)}};
         const glm::dvec3 p = reference::to_world(object_.pose, exact.meshes[0].positions[i]);
         const glm::dmat3 to_world = glm::transpose(reference::make_view(scene_.camera, {1, 1}).rotation);
-        const glm::dvec3 viewer = scene_.camera.sees_locally() ? glm::normalize(reference::value(scene_.camera.eye) - p) : to_world[2];
+        const glm::dvec3 viewer =
+            scene_.camera.sees_locally() ? glm::normalize(reference::value(scene_.camera.eye) - p) : to_world[2];
         const Light& light = lights_[static_cast<std::size_t>(random.integer(0, static_cast<int>(lights_.size()) - 1))];
         glm::dvec3 l = reference::value(light.position);
-        if (light.space == Space::view) l = to_world * l + (light.is_lamp() ? reference::value(scene_.camera.eye) : glm::dvec3(0));
-        if (light.space == Space::object) l = light.is_lamp() ? reference::to_world(object_.pose, l) : reference::value(object_.pose.rotation) * l;
+        if (light.space == Space::view)
+            l = to_world * l + (light.is_lamp() ? reference::value(scene_.camera.eye) : glm::dvec3(0));
+        if (light.space == Space::object)
+            l = light.is_lamp() ? reference::to_world(object_.pose, l) : reference::value(object_.pose.rotation) * l;
         if (light.is_lamp()) l -= p;
         return glm::normalize(l) + viewer;
     }

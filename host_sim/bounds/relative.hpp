@@ -9,6 +9,8 @@ namespace shade16::bounds {
 
 inline long double wide(Scaled s) { return std::ldexp(static_cast<long double>(s.mantissa), s.exponent - 32); }
 
-inline double relative_error(long double got, long double exact) { return static_cast<double>(std::fabs(got / exact - 1)); }
+inline double relative_error(long double got, long double exact) {
+    return static_cast<double>(std::fabs(got / exact - 1));
+}
 
 }  // namespace shade16::bounds

@@ -11,9 +11,9 @@ namespace shade16::bounds {
 struct Result {
     std::string name{}, header{}, functions{}, unit{}, tier{};
     double bound = 0, measured = 0;
-    uint64_t at = 0;       // the number of the worst input
-    uint64_t inputs = 0;   // how many were looked at
-    uint64_t of = 0;       // how many there are; 0 for random cases and searches
+    uint64_t at = 0;      // the number of the worst input
+    uint64_t inputs = 0;  // how many were looked at
+    uint64_t of = 0;      // how many there are; 0 for random cases and searches
 
     bool holds() const { return measured <= bound; }
     bool is_exhaustive() const { return of != 0 && inputs >= of; }

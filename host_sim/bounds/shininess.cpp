@@ -18,7 +18,8 @@ struct Kernel {
 
 double levels(double error) { return 255 * std::fabs(error); }
 
-/// (1 - u)^n for u = first, first + h, ... by the binomial series from the first: a power costs more than the kernel does.
+/// (1 - u)^n for u = first, first + h, ... by the binomial series from the first: a power costs more than the kernel
+/// does.
 class PowersInARow {
 public:
     static constexpr uint64_t length = 64;
@@ -43,7 +44,10 @@ private:
 
 constexpr uint64_t exponent_count = 32;
 /// From 1 to 1000, each in the same ratio to the one before.
-Q16 exponent_number(uint64_t i) { return Q16::from_raw(static_cast<int32_t>(std::lround(65536 * std::pow(1000.0, static_cast<double>(i) / (exponent_count - 1))))); }
+Q16 exponent_number(uint64_t i) {
+    return Q16::from_raw(
+        static_cast<int32_t>(std::lround(65536 * std::pow(1000.0, static_cast<double>(i) / (exponent_count - 1)))));
+}
 
 /// Inputs of one exponent: every stride-th u from first to last.
 template <class Tier>
@@ -54,7 +58,10 @@ void measure_u(Peak& peak, uint64_t exponent, Span us) {
     PowersInARow exact(n.raw / 65536.0, std::ldexp(static_cast<double>(us.stride), -bits));
     for (uint64_t u = us.first, k = 0; u <= us.last; u += us.stride, k = (k + 1) % PowersInARow::length) {
         if (k == 0) exact.start(std::ldexp(static_cast<double>(u), -bits));
-        peak.add(levels(std::ldexp(static_cast<double>(kernel.power(static_cast<uint32_t>(u))), -Kernel<Tier>::fraction_bits) - exact.at(k)), exponent << bits | u);
+        peak.add(levels(std::ldexp(static_cast<double>(kernel.power(static_cast<uint32_t>(u))),
+                                   -Kernel<Tier>::fraction_bits) -
+                        exact.at(k)),
+                 exponent << bits | u);
     }
 }
 
@@ -89,8 +96,10 @@ Peak measure_every_x(const Span& span) {
     auto kernel = shininess<Tier>(1);
     for (uint64_t i = span.first; i <= span.last; i += span.stride) {
         const uint64_t x = i % x_count;
-        if (i / x_count != step) step = i / x_count, kernel = shininess<Tier>(Q16::from_raw(static_cast<int32_t>((16 + step) * 4096)));
-        const uint32_t u = static_cast<uint32_t>(std::min<uint64_t>((65536 - x) << (Kernel<Tier>::u_bits - 16), UINT32_MAX));
+        if (i / x_count != step)
+            step = i / x_count, kernel = shininess<Tier>(Q16::from_raw(static_cast<int32_t>((16 + step) * 4096)));
+        const uint32_t u =
+            static_cast<uint32_t>(std::min<uint64_t>((65536 - x) << (Kernel<Tier>::u_bits - 16), UINT32_MAX));
         const double exact = std::exp2(static_cast<double>(16 + step) / 16 * logs[x]);
         peak.add(levels(std::ldexp(static_cast<double>(kernel.power(u)), -Kernel<Tier>::fraction_bits) - exact), i);
     }
@@ -100,28 +109,44 @@ Peak measure_every_x(const Span& span) {
 /// How much the kernel rises from u to a larger one: never.
 template <class Tier>
 double rise(Dice& dice) {
-    const auto kernel = shininess<Tier>(Q16::from_raw(static_cast<int32_t>(65536 * std::pow(1000, dice.uniform(0, 1)))));
+    const auto kernel =
+        shininess<Tier>(Q16::from_raw(static_cast<int32_t>(65536 * std::pow(1000, dice.uniform(0, 1)))));
     double worst = 0;
     for (int i = 0; i < 64; ++i) {
-        const uint32_t u = dice.word() >> (32 - Kernel<Tier>::u_bits), beyond = u + 1 + dice.word() / 4 % (dice.below(2) != 0 ? 8 : 1 << 20);
-        if (beyond > u) worst = std::fmax(worst, static_cast<double>(kernel.power(beyond)) - static_cast<double>(kernel.power(u)));
+        const uint32_t u = dice.word() >> (32 - Kernel<Tier>::u_bits),
+                       beyond = u + 1 + dice.word() / 4 % (dice.below(2) != 0 ? 8 : 1 << 20);
+        if (beyond > u)
+            worst = std::fmax(worst, static_cast<double>(kernel.power(beyond)) - static_cast<double>(kernel.power(u)));
     }
     return worst;
 }
 
 template <class Tier>
 void add_tier(Entries& to) {
-    const std::string functions = Kernel<Tier>::shared ? "ShininessShared::power ShininessShared::build shininess" : "ShininessWindow::power ShininessWindow::build shininess";
-    const std::string header = Kernel<Tier>::shared ? "num/shininess_shared.hpp num/shininess.hpp" : "num/shininess_window.hpp num/shininess.hpp";
-    Entry every_u{.name = "shininess, every u", .header = header, .functions = functions, .unit = "levels", .tier = Tier::name, .bound = Kernel<Tier>::bound,
+    const std::string functions = Kernel<Tier>::shared ? "ShininessShared::power ShininessShared::build shininess"
+                                                       : "ShininessWindow::power ShininessWindow::build shininess";
+    const std::string header = Kernel<Tier>::shared ? "num/shininess_shared.hpp num/shininess.hpp"
+                                                    : "num/shininess_window.hpp num/shininess.hpp";
+    Entry every_u{.name = "shininess, every u",
+                  .header = header,
+                  .functions = functions,
+                  .unit = "levels",
+                  .tier = Tier::name,
+                  .bound = Kernel<Tier>::bound,
                   .inputs = {0, (exponent_count << Kernel<Tier>::u_bits) - 1}};
     every_u.measure = measure_every_u<Tier>;
     to.add(every_u);
-    Entry every_x{.name = "shininess, every x", .header = header, .functions = functions, .unit = "levels", .tier = Tier::name, .bound = Kernel<Tier>::bound,
+    Entry every_x{.name = "shininess, every x",
+                  .header = header,
+                  .functions = functions,
+                  .unit = "levels",
+                  .tier = Tier::name,
+                  .bound = Kernel<Tier>::bound,
                   .inputs = {0, x_count * n_steps - 1}};
     every_x.measure = measure_every_x<Tier>;
     to.add(every_x);
-    Entry falls{.name = "shininess never rises", .header = header, .functions = functions, .unit = "units", .tier = Tier::name};
+    Entry falls{
+        .name = "shininess never rises", .header = header, .functions = functions, .unit = "units", .tier = Tier::name};
     to.add_random(falls, rise<Tier>, 20'000);
 }
 

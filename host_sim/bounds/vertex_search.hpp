@@ -30,7 +30,8 @@ private:
         for (uint32_t i = 0; i < host::RandomSurface::vertex_count; ++i) {
             const auto v = renderer.lit_vertex(0, i);
             const glm::dvec3 color = glm::dvec3(v.r, v.g, v.b) * std::ldexp(1.0, -bits);
-            const host::Verdict verdict = host::judge(color, reference::light_vertex(exact, {}, 0, i), exact.values.objects[0].material, host::promised<Tier>(bits));
+            const host::Verdict verdict = host::judge(color, reference::light_vertex(exact, {}, 0, i),
+                                                      exact.values.objects[0].material, host::promised<Tier>(bits));
             figures_.add(verdict, color);
             shares.push_back(verdict.error_levels / verdict.bound_levels);
         }
@@ -45,11 +46,15 @@ private:
         for (std::size_t k = 0; k < half; ++k) {
             const uint32_t from = order[k / 4], to = order[half + k];
             const int reach = 1 << random_.integer(0, 10);
-            const auto moved = [&](int16_t v) { return static_cast<int16_t>(std::clamp(v + random_.integer(-reach, reach), -32767, 32767)); };
+            const auto moved = [&](int16_t v) {
+                return static_cast<int16_t>(std::clamp(v + random_.integer(-reach, reach), -32767, 32767));
+            };
             const Position16 p = surface.position(from);
             surface.position(to) = {moved(p.x), moved(p.y), moved(p.z)};
             const Normal14 n = surface.normal(from);
-            surface.normal(to) = host::normal14({n.x.raw + random_.integer(-reach, reach), n.y.raw + random_.integer(-reach, reach), n.z.raw + random_.integer(-reach, reach)});
+            surface.normal(to) =
+                host::normal14({n.x.raw + random_.integer(-reach, reach), n.y.raw + random_.integer(-reach, reach),
+                                n.z.raw + random_.integer(-reach, reach)});
         }
     }
 

@@ -5,7 +5,8 @@
 namespace shade16::bounds {
 
 std::vector<VertexDomain> vertex_domains(bool wide_tier) {
-    const double narrowest = wide_tier ? 1 : 0.1;  // degrees between a cone's angles, of which the promise is made: docs/DESIGN.md
+    const double narrowest =
+        wide_tier ? 1 : 0.1;  // degrees between a cone's angles, of which the promise is made: docs/DESIGN.md
     return {
         {"one light, n <= 128", "diffuse specular directional point", 1, {}, 400, 12},
         {"one light, n <= 1000", "specular", 2, {.min_exponent = 128, .max_exponent = 1000}, 400, 12},
@@ -14,12 +15,27 @@ std::vector<VertexDomain> vertex_domains(bool wide_tier) {
         {"lamps and eye far away", "local_viewer", 5, {.max_distance = 16000}, 60, 6},
         {"attenuation", "attenuation", 8, {.attenuation = true}, 100, 8},
         {"Phong reflection, n <= 128", "reflected", 9, {.reflected = true}, 200, 12},
-        {"Phong reflection, n <= 1000", "reflected", 10, {.min_exponent = 128, .max_exponent = 1000, .reflected = true}, 200, 12},
+        {"Phong reflection, n <= 1000",
+         "reflected",
+         10,
+         {.min_exponent = 128, .max_exponent = 1000, .reflected = true},
+         200,
+         12},
         {"falloff 1/d^p", "falloff", 11, {.falloff = true}, 100, 8},
         {"range", "range", 12, {.range = true}, 100, 8},
         {"spots", "spot spot_exponent", 13, {.min_cone_degrees = narrowest}, 600, 12},
-        {"spots with all the rest", "spot range falloff attenuation reflected", 14,
-         {.lights = 3, .stretch = true, .attenuation = true, .reflected = true, .falloff = true, .range = true, .min_cone_degrees = 1}, 100, 8},
+        {"spots with all the rest",
+         "spot range falloff attenuation reflected",
+         14,
+         {.lights = 3,
+          .stretch = true,
+          .attenuation = true,
+          .reflected = true,
+          .falloff = true,
+          .range = true,
+          .min_cone_degrees = 1},
+         100,
+         8},
     };
 }
 
@@ -53,13 +69,20 @@ double VertexFigures::usual_levels() const {
 }
 
 Result VertexResult::result() const {
-    return {.name = std::string("vertex: ") + domain.name, .header = "pipeline/light.hpp", .functions = domain.functions, .unit = "of its promise", .tier = tier,
-            .bound = 1, .measured = figures.largest_share(), .inputs = figures.vertices()};
+    return {.name = std::string("vertex: ") + domain.name,
+            .header = "pipeline/light.hpp",
+            .functions = domain.functions,
+            .unit = "of its promise",
+            .tier = tier,
+            .bound = 1,
+            .measured = figures.largest_share(),
+            .inputs = figures.vertices()};
 }
 
 namespace {
 template <PrecisionTier Tier>
-void search_tier(std::vector<VertexResult>& results, int thoroughness, uint64_t seed, const std::function<void(const VertexResult&)>& done) {
+void search_tier(std::vector<VertexResult>& results, int thoroughness, uint64_t seed,
+                 const std::function<void(const VertexResult&)>& done) {
     for (VertexDomain domain : vertex_domains(Arithmetic<Tier>::wide)) {
         domain.restarts *= thoroughness, domain.seed += seed;
         results.push_back({Tier::name, domain, search<Tier>(domain)});
@@ -68,7 +91,8 @@ void search_tier(std::vector<VertexResult>& results, int thoroughness, uint64_t 
 }
 }  // namespace
 
-std::vector<VertexResult> search_all(int thoroughness, uint64_t seed, const std::function<void(const VertexResult&)>& done) {
+std::vector<VertexResult> search_all(int thoroughness, uint64_t seed,
+                                     const std::function<void(const VertexResult&)>& done) {
     std::vector<VertexResult> results;
     search_tier<lowp>(results, thoroughness, seed, done);
     search_tier<mediump>(results, thoroughness, seed, done);

@@ -1,5 +1,5 @@
-// Whole vertices against double precision: searched with restarts for the worst case of each tier, since uniformly drawn
-// vertices miss it.
+// Whole vertices against double precision: searched with restarts for the worst case of each tier, since uniformly
+// drawn vertices miss it.
 #pragma once
 
 #include <array>
@@ -67,6 +67,7 @@ struct VertexResult {
 };
 
 /// Every domain in every tier; `thoroughness` times as many restarts, from seeds so much larger. `done` is told each.
-std::vector<VertexResult> search_all(int thoroughness, uint64_t seed, const std::function<void(const VertexResult&)>& done);
+std::vector<VertexResult> search_all(int thoroughness, uint64_t seed,
+                                     const std::function<void(const VertexResult&)>& done);
 
 }  // namespace shade16::bounds

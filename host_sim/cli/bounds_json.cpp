@@ -11,8 +11,17 @@ namespace shade16::host {
 std::string bounds_json(const std::vector<bounds::Result>& results) {
     nlohmann::ordered_json entries = nlohmann::ordered_json::array();
     for (const bounds::Result& r : results)
-        entries.push_back({{"name", r.name}, {"tier", r.tier}, {"unit", r.unit}, {"bound", r.bound}, {"measured", r.measured}, {"inputs", r.inputs}, {"of", r.of},
-                           {"worst_input", r.at}, {"kept", r.holds()}, {"header", r.header}, {"functions", r.functions}});
+        entries.push_back({{"name", r.name},
+                           {"tier", r.tier},
+                           {"unit", r.unit},
+                           {"bound", r.bound},
+                           {"measured", r.measured},
+                           {"inputs", r.inputs},
+                           {"of", r.of},
+                           {"worst_input", r.at},
+                           {"kept", r.holds()},
+                           {"header", r.header},
+                           {"functions", r.functions}});
     return nlohmann::ordered_json{{"schema", 1}, {"command", "report bounds"}, {"bounds", entries}}.dump(1) + "\n";
 }
 
@@ -23,8 +32,16 @@ std::vector<bounds::Result> read_bounds_json(const std::string& path) {
     try {
         const nlohmann::json whole = nlohmann::json::parse(file);
         for (const auto& e : whole.at("bounds"))
-            results.push_back({.name = e.at("name"), .header = e.at("header"), .functions = e.at("functions"), .unit = e.at("unit"), .tier = e.at("tier"), .bound = e.at("bound"),
-                               .measured = e.at("measured"), .at = e.at("worst_input"), .inputs = e.at("inputs"), .of = e.at("of")});
+            results.push_back({.name = e.at("name"),
+                               .header = e.at("header"),
+                               .functions = e.at("functions"),
+                               .unit = e.at("unit"),
+                               .tier = e.at("tier"),
+                               .bound = e.at("bound"),
+                               .measured = e.at("measured"),
+                               .at = e.at("worst_input"),
+                               .inputs = e.at("inputs"),
+                               .of = e.at("of")});
     } catch (const nlohmann::json::exception&) {
         throw input_error("{}: is no bounds.json; expected one that 'shade16 report bounds' wrote.", path);
     }

@@ -19,8 +19,9 @@ void print_result(const bounds::Result& r) {
     const std::string tier = r.tier.empty() ? "" : ", " + r.tier;
     const std::string share = r.bound == 0 ? "" : fmt::format(" ({:.1f} %)", 100 * r.measured / r.bound);
     const std::string verdict = r.holds() ? "" : Ink(STDOUT_FILENO).bad(" BROKEN");
-    print(fmt::format("{:<44} {:>10} of {:<10} {}{}; {} {}{}\n", r.name + tier, bounds::figure(r.measured), bounds::figure(r.bound), r.unit, share,
-                      bounds::with_commas(r.inputs), r.is_exhaustive() ? "inputs, which are all" : "inputs", verdict));
+    print(fmt::format("{:<44} {:>10} of {:<10} {}{}; {} {}{}\n", r.name + tier, bounds::figure(r.measured),
+                      bounds::figure(r.bound), r.unit, share, bounds::with_commas(r.inputs),
+                      r.is_exhaustive() ? "inputs, which are all" : "inputs", verdict));
 }
 
 class Measuring {
@@ -29,7 +30,9 @@ public:
         const bounds::Entries all = bounds::functions();
         for (const bounds::Entry& entry : all.all())
             if (entry.name.starts_with(o.only)) entries_.push_back(entry);
-        for (const bounds::Entry& entry : entries_) spans_.push_back(o.full ? bounds::all_spans(entry, {o.shard.number, o.shard.of}) : bounds::ordinary_spans(entry));
+        for (const bounds::Entry& entry : entries_)
+            spans_.push_back(o.full ? bounds::all_spans(entry, {o.shard.number, o.shard.of})
+                                    : bounds::ordinary_spans(entry));
         for (const auto& spans : spans_) total_ += spans.size();
     }
 
@@ -38,7 +41,8 @@ public:
         std::vector<bounds::Result> results;
         std::size_t begun = 0;
         for (std::size_t i = 0; i < entries_.size(); ++i) {
-            const bounds::Peak peak = bounds::measure(entries_[i], spans_[i], [&](std::size_t done) { progress.begin(static_cast<int>(begun + done) - 1); });
+            const bounds::Peak peak = bounds::measure(
+                entries_[i], spans_[i], [&](std::size_t done) { progress.begin(static_cast<int>(begun + done) - 1); });
             begun += spans_[i].size();
             results.push_back(bounds::result_of(entries_[i], peak));
             say(results.back());
@@ -49,7 +53,8 @@ public:
     /// Ten times as long in a full run, of which every shard searches elsewhere.
     std::vector<bounds::VertexResult> vertices() const {
         if (!std::string("vertex: ").starts_with(options_.only)) return {};
-        return bounds::search_all(options_.full ? 10 : 1, options_.shard.number * 1000, [this](const bounds::VertexResult& v) { say(v.result()); });
+        return bounds::search_all(options_.full ? 10 : 1, options_.shard.number * 1000,
+                                  [this](const bounds::VertexResult& v) { say(v.result()); });
     }
 
 private:
@@ -72,7 +77,11 @@ std::vector<bounds::Result> merged(const std::vector<std::string>& files) {
 void refuse_broken(const std::vector<bounds::Result>& results) {
     std::string names;
     for (const bounds::Result& r : results)
-        if (!r.holds()) names += (names.empty() ? "" : "; ") + fmt::format("{}{} is off {} {}, expected at most {}", r.name, r.tier.empty() ? "" : " (" + r.tier + ")", bounds::figure(r.measured), r.unit, bounds::figure(r.bound));
+        if (!r.holds())
+            names +=
+                (names.empty() ? "" : "; ") + fmt::format("{}{} is off {} {}, expected at most {}", r.name,
+                                                          r.tier.empty() ? "" : " (" + r.tier + ")",
+                                                          bounds::figure(r.measured), r.unit, bounds::figure(r.bound));
     if (!names.empty()) throw Error(ExitCode::check, "bounds are broken: " + names + ".");
 }
 
@@ -81,7 +90,8 @@ void refuse_broken(const std::vector<bounds::Result>& results) {
 ExitCode report(const ReportOptions& o) {
     std::error_code failed;
     std::filesystem::create_directories(o.output, failed);
-    if (!std::filesystem::is_directory(o.output)) throw input_error("--output {}: is no directory, and none can be made there.", o.output);
+    if (!std::filesystem::is_directory(o.output))
+        throw input_error("--output {}: is no directory, and none can be made there.", o.output);
     const std::filesystem::path directory = o.output;
 
     bounds::Report report{.exponents = bounds::exponent_chart()};
@@ -95,7 +105,9 @@ ExitCode report(const ReportOptions& o) {
         if (!o.quiet && !o.json)
             for (const bounds::Result& r : report.results) print_result(r);
     }
-    if (report.results.empty()) throw input_error("--only {}: no bound has a name that begins so; 'shade16 report bounds' prints all of them.", o.only);
+    if (report.results.empty())
+        throw input_error("--only {}: no bound has a name that begins so; 'shade16 report bounds' prints all of them.",
+                          o.only);
     const std::string json = bounds_json(report.results);
     write_file(directory / "bounds.json", json);
     write_file(directory / "bounds.html", bounds::page(report));

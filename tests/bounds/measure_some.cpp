@@ -12,7 +12,8 @@ int main() {
     for (const Entry& entry : all.all()) {
         const Peak peak = measure(entry, ordinary_spans(entry));
         if (peak.error <= entry.bound) continue;
-        std::printf("%s%s%s is off %.6g %s, expected at most %.6g\n", entry.name.c_str(), entry.tier.empty() ? "" : ", ", entry.tier.c_str(), peak.error, entry.unit.c_str(), entry.bound);
+        std::printf("%s%s%s is off %.6g %s, expected at most %.6g\n", entry.name.c_str(),
+                    entry.tier.empty() ? "" : ", ", entry.tier.c_str(), peak.error, entry.unit.c_str(), entry.bound);
         ++broken;
     }
     return broken == 0 ? 0 : 1;

@@ -1,4 +1,5 @@
-// What must hold between the results of functions, for whatever numbers: RapidCheck looks for a counterexample and shrinks it.
+// What must hold between the results of functions, for whatever numbers: RapidCheck looks for a counterexample and
+// shrinks it.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -14,7 +15,9 @@
 namespace shade16 {
 namespace {
 
-IVec3 any_vector() { return {*rc::gen::arbitrary<int32_t>(), *rc::gen::arbitrary<int32_t>(), *rc::gen::arbitrary<int32_t>()}; }
+IVec3 any_vector() {
+    return {*rc::gen::arbitrary<int32_t>(), *rc::gen::arbitrary<int32_t>(), *rc::gen::arbitrary<int32_t>()};
+}
 Scaled any_scaled() { return {*rc::gen::arbitrary<uint32_t>() | uint32_t{1} << 31, *rc::gen::inRange(-100, 100)}; }
 Q16 any_q16() { return Q16::from_raw(*rc::gen::arbitrary<int32_t>()); }
 Angle any_angle() { return {*rc::gen::arbitrary<uint32_t>()}; }
@@ -26,7 +29,8 @@ Normal30 any_direction() {
 int64_t length_q60(IVec3 v) { return multiply(v.x, v.x) + multiply(v.y, v.y) + multiply(v.z, v.z); }
 
 RC_GTEST_PROP(Vectors, NormalizeDependsOnTheDirectionAlone, ()) {
-    const IVec3 v{*rc::gen::inRange(-(1 << 20), 1 << 20), *rc::gen::inRange(-(1 << 20), 1 << 20), *rc::gen::inRange(-(1 << 20), 1 << 20)};
+    const IVec3 v{*rc::gen::inRange(-(1 << 20), 1 << 20), *rc::gen::inRange(-(1 << 20), 1 << 20),
+                  *rc::gen::inRange(-(1 << 20), 1 << 20)};
     const int shift = *rc::gen::inRange(0, 11);
     const IVec3 longer{v.x << shift, v.y << shift, v.z << shift};
     RC_ASSERT(normalize14<7>(v) == normalize14<7>(longer));
@@ -36,15 +40,18 @@ RC_GTEST_PROP(Vectors, NormalizeDependsOnTheDirectionAlone, ()) {
 RC_GTEST_PROP(Vectors, NormalizeOfAUnitVectorIsTheSame, ()) {
     const Normal30 n = any_direction(), again = normalize_finely(raw(n));
     const int64_t bound = 2 * normalize_finely_max_error.milli / 1000 + 1;
-    RC_ASSERT(std::abs(int64_t{n.x.raw} - again.x.raw) <= bound && std::abs(int64_t{n.y.raw} - again.y.raw) <= bound && std::abs(int64_t{n.z.raw} - again.z.raw) <= bound);
+    RC_ASSERT(std::abs(int64_t{n.x.raw} - again.x.raw) <= bound && std::abs(int64_t{n.y.raw} - again.y.raw) <= bound &&
+              std::abs(int64_t{n.z.raw} - again.z.raw) <= bound);
 }
 
 RC_GTEST_PROP(Vectors, DotCommutesAndCrossTurnsItsSign, ()) {
     const IVec3 v = any_vector(), w = any_vector();
-    const Vec3 a{Q16::from_raw(v.x), Q16::from_raw(v.y), Q16::from_raw(v.z)}, b{Q16::from_raw(w.x), Q16::from_raw(w.y), Q16::from_raw(w.z)};
+    const Vec3 a{Q16::from_raw(v.x), Q16::from_raw(v.y), Q16::from_raw(v.z)},
+        b{Q16::from_raw(w.x), Q16::from_raw(w.y), Q16::from_raw(w.z)};
     RC_ASSERT(dot(a, b) == dot(b, a));
     const Vec3 c = cross(a, b), d = cross(b, a);
-    RC_ASSERT(std::abs(int64_t{c.x.raw} + d.x.raw) <= 1 && std::abs(int64_t{c.y.raw} + d.y.raw) <= 1 && std::abs(int64_t{c.z.raw} + d.z.raw) <= 1);
+    RC_ASSERT(std::abs(int64_t{c.x.raw} + d.x.raw) <= 1 && std::abs(int64_t{c.y.raw} + d.y.raw) <= 1 &&
+              std::abs(int64_t{c.z.raw} + d.z.raw) <= 1);
     RC_ASSERT(cross(a, a) == Vec3{});
 }
 
@@ -59,14 +66,18 @@ RC_GTEST_PROP(Angles, SineAndCosineHaveTheirSymmetries, ()) {
     const SinCos here = sincos(a), opposite = sincos(a + quarter + quarter), next = sincos(a + quarter);
     RC_ASSERT(opposite.sin == -here.sin && opposite.cos == -here.cos);
     RC_ASSERT(next.sin == here.cos && next.cos == -here.sin);
-    RC_ASSERT(std::fabs(std::ldexp(static_cast<double>(multiply(here.sin.raw, here.sin.raw) + multiply(here.cos.raw, here.cos.raw)), -60) - 1) < 1e-8);
+    RC_ASSERT(std::fabs(std::ldexp(static_cast<double>(multiply(here.sin.raw, here.sin.raw) +
+                                                       multiply(here.cos.raw, here.cos.raw)),
+                                   -60) -
+                        1) < 1e-8);
 }
 
 RC_GTEST_PROP(Angles, ArcsBeginAndEndWhereTheyShould, ()) {
     const Normal30 a = any_direction(), b = any_direction();
     const Arc arc(a, b), back(b, a);
     const IVec3 first = arc.at(0), last = back.at(0);
-    RC_ASSERT(std::abs(int64_t{first.x} - a.x.raw) <= 2 && std::abs(int64_t{first.y} - a.y.raw) <= 2 && std::abs(int64_t{first.z} - a.z.raw) <= 2);
+    RC_ASSERT(std::abs(int64_t{first.x} - a.x.raw) <= 2 && std::abs(int64_t{first.y} - a.y.raw) <= 2 &&
+              std::abs(int64_t{first.z} - a.z.raw) <= 2);
     RC_ASSERT(std::abs(int64_t{last.x} - b.x.raw) <= 2);
     RC_ASSERT(arc.angle().turns <= uint32_t{1} << 31);
     RC_ASSERT(std::fabs(std::ldexp(static_cast<double>(length_q60(arc.at(Q30::one / 3))), -60) - 1) < 4e-8);
@@ -85,7 +96,8 @@ RC_GTEST_PROP(Scaled, RootsOfSquaresAndPowersOfOneExponent, ()) {
     RC_ASSERT(rounded_root(uint64_t{n} * n) == n);
     const Scaled x = any_scaled();
     const Scaled same = power(x, 65536, 16);
-    RC_ASSERT(std::fabs(std::ldexp(static_cast<double>(same.mantissa), same.exponent - x.exponent) / x.mantissa - 1) <= std::ldexp(scaled_power_max_error + scaled_power_max_error_each, -40));
+    RC_ASSERT(std::fabs(std::ldexp(static_cast<double>(same.mantissa), same.exponent - x.exponent) / x.mantissa - 1) <=
+              std::ldexp(scaled_power_max_error + scaled_power_max_error_each, -40));
 }
 
 RC_GTEST_PROP(Quotients, ArePutTogetherAgain, ()) {

@@ -12,19 +12,24 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-json entries(const ScratchDirectory& scratch, const std::string& name) { return json::parse(scratch.read(name)).at("bounds"); }
+json entries(const ScratchDirectory& scratch, const std::string& name) {
+    return json::parse(scratch.read(name)).at("bounds");
+}
 
 TEST(CliReport, leaves_a_page_that_needs_nothing_beside_it_json_and_tables) {
     const ScratchDirectory scratch;
     const Ran ran = shade16_program("report bounds --only 'table of 49' -o " + scratch.path("new/place"));
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
-    EXPECT_THAT(ran.out, AllOf(HasSubstr("table of 49 for rsqrt"), HasSubstr("of 0.501"), HasSubstr("49 inputs, which are all")));
+    EXPECT_THAT(ran.out, AllOf(HasSubstr("table of 49 for rsqrt"), HasSubstr("of 0.501"),
+                               HasSubstr("49 inputs, which are all")));
     const std::string page = scratch.read("new/place/bounds.html");
     EXPECT_THAT(page, AllOf(HasSubstr("<!doctype html>"), HasSubstr("All 1 bounds are kept."), HasSubstr("</html>")));
-    for (const char* elsewhere : {"<script", "src=", "href="}) EXPECT_EQ(page.find(elsewhere), std::string::npos) << elsewhere;
+    for (const char* elsewhere : {"<script", "src=", "href="})
+        EXPECT_EQ(page.find(elsewhere), std::string::npos) << elsewhere;
     EXPECT_THAT(scratch.read("new/place/bounds.md"), HasSubstr("| table of 49 for rsqrt |"));
     const json only = entries(scratch, "new/place/bounds.json").at(0);
-    for (const char* key : {"name", "tier", "unit", "bound", "measured", "inputs"}) EXPECT_TRUE(only.contains(key)) << key;
+    for (const char* key : {"name", "tier", "unit", "bound", "measured", "inputs"})
+        EXPECT_TRUE(only.contains(key)) << key;
     EXPECT_EQ(only.at("inputs"), 49);
 }
 
@@ -35,9 +40,11 @@ TEST(CliReport, shards_merge_to_what_one_machine_measures) {
         EXPECT_EQ(ran.exit_code, 0) << ran.err;
     };
     run("--full -o " + scratch.path("whole"));
-    for (const char* shard : {"0", "1", "2"}) run(std::string("--full --shard ") + shard + "/3 -o " + scratch.path(shard));
-    const Ran merged = shade16_program("report bounds -o " + scratch.path("merged") + " --merge " + scratch.path("0/bounds.json") + " " + scratch.path("1/bounds.json") + " " +
-                                       scratch.path("2/bounds.json"));
+    for (const char* shard : {"0", "1", "2"})
+        run(std::string("--full --shard ") + shard + "/3 -o " + scratch.path(shard));
+    const Ran merged =
+        shade16_program("report bounds -o " + scratch.path("merged") + " --merge " + scratch.path("0/bounds.json") +
+                        " " + scratch.path("1/bounds.json") + " " + scratch.path("2/bounds.json"));
     EXPECT_EQ(merged.exit_code, 0) << merged.err;
     EXPECT_THAT(merged.out, HasSubstr("shininess never rises, highp"));
     EXPECT_EQ(entries(scratch, "merged/bounds.json"), entries(scratch, "whole/bounds.json"));
@@ -51,7 +58,8 @@ TEST(CliReport, a_broken_bound_is_an_exit_code_and_a_sentence) {
     scratch.write("broken.json", report.dump());
     const Ran ran = shade16_program("report bounds -o " + scratch.path("") + " --merge " + scratch.path("broken.json"));
     EXPECT_EQ(ran.exit_code, 1);
-    EXPECT_THAT(ran.err, HasSubstr("bounds are broken: table of 49 for rsqrt is off 0.6 units, expected at most 0.501."));
+    EXPECT_THAT(ran.err,
+                HasSubstr("bounds are broken: table of 49 for rsqrt is off 0.6 units, expected at most 0.501."));
     EXPECT_THAT(scratch.read("bounds.html"), HasSubstr("1 of 1 bounds are broken."));
 }
 
@@ -71,8 +79,10 @@ TEST(CliReport, what_makes_no_sense_is_refused_in_a_sentence) {
     refused("bounds --full --shard 2/2" + out, 2, "--shard 2/2: expected I/N, a share from 0 to N - 1, such as 0/2.");
     refused("bounds --only nothing" + out, 2, "--only nothing: no bound has a name that begins so");
     refused("bounds --full --merge x.json" + out, 2, "--full: nothing is measured; expected no --merge beside it.");
-    refused("bounds --merge " + scratch.path("gone.json") + out, 3, "gone.json: cannot be opened; expected a bounds.json that 'shade16 report bounds' wrote.");
-    refused("bounds --merge " + scratch.write("text.json", "no") + out, 2, "text.json: is no bounds.json; expected one that 'shade16 report bounds' wrote.");
+    refused("bounds --merge " + scratch.path("gone.json") + out, 3,
+            "gone.json: cannot be opened; expected a bounds.json that 'shade16 report bounds' wrote.");
+    refused("bounds --merge " + scratch.write("text.json", "no") + out, 2,
+            "text.json: is no bounds.json; expected one that 'shade16 report bounds' wrote.");
     refused("bounds -o " + scratch.write("file", "") + "/below", 2, "is no directory, and none can be made there.");
 }
 
