@@ -1,5 +1,5 @@
 // ByteMesh: a mesh and its arrays from bytes. Built-in shapes, or points and triangles with nothing in common; sometimes with
-// positions at the ends of 16 bits, normals of any length, and corners that coincide. Indices, numbers of elements and texcoord_bits are
+// positions at the ends of 16 bits, normals of any length, and corners that coincide. Indices and numbers of elements are
 // always those of a mesh: nobody checks them a pixel.
 #pragma once
 
@@ -26,7 +26,7 @@ public:
         mesh_.texcoords = view(texcoords_), mesh_.triangles = view(triangles_);
         mesh_.centre = f.is_extreme() ? f.vec3(-16384'000, 16383'000) : Vec3{};
         if (f.is_extreme()) mesh_.fraction_bits = f.i8();
-        if (f.is_extreme()) mesh_.texcoord_bits = static_cast<int8_t>(f.below(16));
+        if (f.is_extreme()) mesh_.texcoord_bits = f.i8();
         mesh_.convex = f.one_in(2);
     }
     ByteMesh(const ByteMesh&) = delete;
