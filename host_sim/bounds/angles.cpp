@@ -32,7 +32,8 @@ struct ArcCase {
     explicit ArcCase(Dice& dice) : a(dice.direction()), b(dice.direction()) {
         const uint32_t kind = dice.below(4);
         if (kind == 0) return;
-        const double off = std::pow(10.0, dice.uniform(-8, 0)), sign = kind == 1 ? -1 : 1;
+        const long double off = std::pow(10.0L, static_cast<long double>(dice.uniform(-8, 0))),
+                          sign = kind == 1 ? -1 : 1;
         const Direction p = wide(a), q = wide(b);
         const long double x = p.x * sign + q.x * off, y = p.y * sign + q.y * off, z = p.z * sign + q.z * off,
                           length = std::sqrt(x * x + y * y + z * z);

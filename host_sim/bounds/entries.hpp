@@ -20,6 +20,7 @@ void add_blocks(Entries& to);
 void add_powers(Entries& to);
 void add_shininess(Entries& to);
 void add_tables(Entries& to);
+void add_light(Entries& to);
 void add_glsl(Entries& to);
 
 /// All of these.

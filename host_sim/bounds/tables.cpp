@@ -62,9 +62,9 @@ double root_of_half_entry(uint64_t i) {
 /// A window's entries for 64 exponents, in units of 2^-16.
 template <class Tier>
 double window_entry(uint64_t i) {
-    const auto window =
-        shininess<Tier>(Q16::from_raw(static_cast<int32_t>(65536 * std::pow(1000.0, static_cast<double>(i) / 63))));
-    const Real n = std::round(65536 * std::pow(1000.0, static_cast<double>(i) / 63) - 0.5) / 65536;
+    const auto raw = static_cast<int32_t>(65536 * std::pow(1000.0, static_cast<double>(i) / 63));
+    const auto window = shininess<Tier>(Q16::from_raw(raw));
+    const Real n = static_cast<Real>(raw) / 65536;
     constexpr uint64_t segments = std::size(decltype(window.y){}) - 1;
     double worst = 0;
     const auto exact = [&](uint64_t k) {

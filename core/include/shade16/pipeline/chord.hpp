@@ -13,13 +13,15 @@ SHADE16_INLINE constexpr uint32_t chord_of_difference(int32_t x, int32_t y, int3
     return static_cast<uint32_t>(min<uint64_t>(squared >> 27, UINT32_MAX));
 }
 
+inline constexpr int wide_chord_max_error = 20;  // of 2^-32, where u is 1; else times sqrt(u): differences are halved
+
 /// u = |N - H|^2 / 2 = 1 - N.H, from the chord: lengths err only relative to u, and sharp highlights stay exact.
-/// Q29 from 16-bit vectors, Q32 from 32-bit ones, saturated. A difference of 16-bit components may exceed 2.0 where a stored normal is
-/// no unit vector: its square still fits 32 bits, though not with a sign.
+/// Range   unit vectors; Q29 from 16-bit ones, Q32 from 32-bit ones, saturated. A stored normal longer than 1 is defined, modulo 2^32.
+/// Error   none from 16-bit vectors, wide_chord_max_error from 32-bit ones.  Cost  three multiplies.
 /// Source  R. F. Lyon, Phong Shading Reformulation for Hardware Renderer Simplification, 1993.
 SHADE16_INLINE constexpr uint32_t chord(const Normal14& a, const Normal14& b) {
     const int32_t x = int32_t{a.x.raw} - b.x.raw, y = int32_t{a.y.raw} - b.y.raw, z = int32_t{a.z.raw} - b.z.raw;
-    // Unsigned: a stored normal that is longer than 1 must not overflow.
+    // Unsigned: a difference may exceed 2.0 where a stored normal is no unit vector.
     const auto squared = [](int32_t d) { return static_cast<uint32_t>(d) * static_cast<uint32_t>(d); };
     return squared(x) + squared(y) + squared(z);
 }
@@ -29,7 +31,9 @@ SHADE16_INLINE constexpr uint32_t chord(const Normal30& a, const Normal30& b) {
 }
 
 /// u = |R - V|^2 / 2 = 1 - R.V of the mirrored light R = 2(N.L)N - L, in the same units as `chord`. R - V is formed with one bit more
-/// than the 16-bit vectors have; saturated, so that R.V <= 0 gives no highlight.
+/// than the 16-bit vectors have.
+/// Range   unit vectors; saturated, so that R.V <= 0 gives no highlight.  Error  what the tier's promise leaves for it.
+/// Cost    a dot and six multiplies.  Source  Phong, Illumination for Computer Generated Pictures, 1975.
 SHADE16_INLINE constexpr uint32_t reflected_chord(const Normal14& normal, const Normal14& light, const Normal14& view) {
     const int32_t cosine = shift_right_round(dot(normal, light), 13);  // Q15
     const auto squared = [cosine](Unit14 n, Unit14 l, Unit14 v) {

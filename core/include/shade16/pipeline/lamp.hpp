@@ -17,8 +17,11 @@ constexpr bool is_shaped(const Light& light) {
 /// a cone's radius, the chord of its outer angle, by 2^cone_guard_log2.
 inline constexpr uint32_t range_guard = 64;
 inline constexpr int cone_guard_log2 = -27;
+inline constexpr uint32_t range_max_error = 2 * range_guard + 4;  // of 2^-32: what the guard takes of a square, and rounding
 
-/// 1 - cos by the chord, with all its digits, Q61: a cone of 2 degrees is 6e-4 of it. At most 1, for everything behind.
+/// 1 - cos by the chord, with all its digits, Q61: a cone of 2 degrees is 6e-4 of it.
+/// Range   unit vectors; 1, for everything behind.  Error  none beyond the vectors'.  Cost  a dot and three long multiplies.
+/// Source  |a - b|^2 / 2 = 1 - a.b.
 SHADE16_INLINE constexpr uint64_t fine_chord(const Normal30& a, const Normal30& b) {
     if (dot(a, b) <= 0) return uint64_t{1} << 61;
     const int32_t x = a.x.raw - b.x.raw, y = a.y.raw - b.y.raw, z = a.z.raw - b.z.raw;  // below sqrt(2)
@@ -45,6 +48,8 @@ struct LampShape {
     int32_t exponent = 0;           // of the cosine, Q16
 
     /// What arrives of a lamp at a distance squared.
+    /// Range   any; nothing from the range on.  Error  range_max_error, and of a falloff that of its power.
+    /// Cost    two long multiplies, and a power where it falls off.  Source  (1 - d^2/r^2)^2, and d^-p.
     template <Needs N>
     SHADE16_INLINE constexpr Scaled at_distance(Scaled squared) const {
         Scaled factor{uint32_t{1} << 31, 1};
@@ -59,7 +64,9 @@ struct LampShape {
         return factor;
     }
 
-    /// What arrives in the direction of a point: nothing outside the cone.
+    /// What arrives in the direction of a point.
+    /// Range   u from 0 to 1; nothing from the outer angle on.  Error  3e-8 / (outer - inner, in radians).
+    /// Cost    four long multiplies, and a power where there is an exponent.  Source  smoothstep of the cosine, and cos^e.
     template <Needs N>
     SHADE16_INLINE constexpr Scaled in_cone(uint64_t u) const {
         if (u >= outer) return {};
@@ -76,8 +83,10 @@ struct LampShape {
 
 namespace detail {
 /// All factors of a lamp's shape at the end of a vector that `towards` gave; zero where none of its light arrives.
+/// Range   any vector.
 /// Error   relative to the same without a cone 2^-24, and at a cone's edges 3e-8 / (outer - inner, in radians).
 /// Cost    for a range two long multiplies, for a cone a square root with two Newton steps, for a power see scaled_power.hpp.
+/// Source  the product of LampShape::at_distance and LampShape::in_cone.
 template <Needs N>
 SHADE16_INLINE constexpr Scaled lamp_factor(const LampShape& shape, IVec3 v, Scaled squared) {
     Scaled factor{uint32_t{1} << 31, 1};

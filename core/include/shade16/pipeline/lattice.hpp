@@ -22,12 +22,14 @@ struct Stretch {
     bool differs = false;  // by axis
 };
 
+inline constexpr uint32_t attenuation_max_error = 260;  // relative, of 2^-32: a root, two sums and a reciprocal
+
 /// A point light's attenuation in powers of a distance in units of its LatticePoint.
 struct LatticeAttenuation {
     bool fades = false;
     Scaled constant{}, linear{}, quadratic{};
 
-    /// 1 / (constant + linear d + quadratic d^2) at the squared distance d^2. Error: relative 2^-22.
+    /// 1 / (constant + linear d + quadratic d^2) at the squared distance d^2. Error: attenuation_max_error.
     SHADE16_ONCE constexpr Scaled at(Scaled squared_distance) const {
         return reciprocal(constant + linear * sqrt(squared_distance) + quadratic * squared_distance);
     }

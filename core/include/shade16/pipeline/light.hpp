@@ -59,7 +59,11 @@ SHADE16_INLINE constexpr FineVector vector_to(const LatticePoint& point, const S
     return {towards(point, surface, stretched, stretch), 0};
 }
 
-/// N.L as the factor of a product: Q16 up to 65535 from 16-bit vectors, Q32 from 32-bit ones; 0 for light from behind.
+inline constexpr int cosine_max_error = 1;  // unit, rounded down
+
+/// N.L as the factor of a product: Q16 from 16-bit vectors, Q32 from 32-bit ones, up to the last value below 1.
+/// Range   unit vectors; 0 for light from behind.  Error  cosine_max_error, beyond what the vectors err by.
+/// Cost    a dot and a shift.  Source  Lambert's law.
 SHADE16_INLINE constexpr uint32_t cosine(const Normal14& a, const Normal14& b) {
     const int32_t d = dot(a, b);
     return d <= 0 ? 0 : min<uint32_t>(static_cast<uint32_t>(d) >> 12, 65535);
@@ -78,7 +82,9 @@ SHADE16_INLINE constexpr Normal14 half_of(const Normal14& l, const Normal14& v, 
 }
 SHADE16_INLINE constexpr Normal30 half_of(const Normal30& l, const Normal30& v, int) { return half_vector(l, v); }
 
-/// sum += product * factor * 2^exponent.
+/// sum += product * factor * 2^exponent: one term of the light.
+/// Range   any; saturates at 255.99.  Error  light_term_max_error for a light at intensity 1.
+/// Cost    a multiply, a shift and an addition a channel.  Source  light times material, folded once an object.
 template <bool Wide, Channels C>
 SHADE16_INLINE constexpr void add_term(AccumulatorOf<C>& sum, const LightProductOf<C>& p, uint32_t factor, int exponent) {
     const int shift = 8 - p.exponent - exponent;
@@ -87,6 +93,7 @@ SHADE16_INLINE constexpr void add_term(AccumulatorOf<C>& sum, const LightProduct
 }
 
 /// A factor of add_term times an attenuation's mantissa; the exponent goes along apart.
+/// Range   any.  Error  a unit of the factor, rounded down.  Cost  a high word.  Source  a product of fractions.
 template <bool Wide>
 SHADE16_INLINE constexpr uint32_t attenuated(uint32_t factor, Scaled attenuation) {
     return Wide ? mulhi(factor, attenuation.mantissa) : mulhi(factor << 16, attenuation.mantissa) >> 16;
@@ -102,11 +109,13 @@ SHADE16_INLINE constexpr Scaled squared_distance(IVec3 v, int coarser, int32_t c
 }
 
 /// The attenuation at its end.
+/// Range   any distance; 0 gives the constant term alone.  Error  attenuation_max_error.
+/// Cost    a square root, two products and a reciprocal of Scaled numbers.  Source  1 / (c + l d + q d^2), as OpenGL 1 has it.
 SHADE16_ONCE constexpr Scaled attenuation_along(const LatticeAttenuation& a, IVec3 v, int coarser, int32_t count) {
     return a.at(squared_distance(v, coarser, count));
 }
 
-/// A lamp's shape at its end.
+/// A lamp's shape at its end. Range, Error, Cost, Source: lamp_factor.
 template <Needs N>
 SHADE16_ONCE constexpr Scaled shape_along(const LampShape& shape, IVec3 v, int coarser, int32_t count) {
     return lamp_factor<N>(shape, v, N.range || N.falloff ? squared_distance(v, coarser, count) : Scaled{});
