@@ -16,7 +16,7 @@ Result result_of(const Entry& entry, const Peak& peak) {
             .unit = entry.unit,
             .tier = entry.tier,
             .bound = entry.bound,
-            .measured = peak.error,
+            .measured = peak.inputs == 0 ? 0 : peak.error,
             .at = peak.at,
             .inputs = peak.inputs,
             .of = is_counted ? entry.inputs.last - entry.inputs.first + 1 : 0};
