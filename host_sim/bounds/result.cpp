@@ -8,6 +8,8 @@
 
 namespace shade16::bounds {
 
+std::string label(const std::string& name, const std::string& tier) { return tier.empty() ? name : name + ", " + tier; }
+
 Result result_of(const Entry& entry, const Peak& peak) {
     const bool is_counted = entry.domain == Domain::every_argument;
     return {.name = entry.name,

@@ -19,6 +19,9 @@ struct Result {
     bool is_exhaustive() const { return of != 0 && inputs >= of; }
 };
 
+/// As it is printed, and chosen by: "shininess, every u, highp".
+std::string label(const std::string& name, const std::string& tier);
+
 Result result_of(const Entry& entry, const Peak& peak);
 
 /// Adds what another shard of the same run found. Throws input_error where the shards do not measure the same.

@@ -127,24 +127,18 @@ void add_tier(Entries& to) {
                                                        : "ShininessWindow::power ShininessWindow::build shininess";
     const std::string header = Kernel<Tier>::shared ? "num/shininess_shared.hpp num/shininess.hpp"
                                                     : "num/shininess_window.hpp num/shininess.hpp";
-    Entry every_u{.name = "shininess, every u",
-                  .header = header,
-                  .functions = functions,
-                  .unit = "levels",
-                  .tier = Tier::name,
-                  .bound = Kernel<Tier>::bound,
-                  .inputs = {0, (exponent_count << Kernel<Tier>::u_bits) - 1}};
-    every_u.measure = measure_every_u<Tier>;
-    to.add(every_u);
-    Entry every_x{.name = "shininess, every x",
-                  .header = header,
-                  .functions = functions,
-                  .unit = "levels",
-                  .tier = Tier::name,
-                  .bound = Kernel<Tier>::bound,
-                  .inputs = {0, x_count * n_steps - 1}};
-    every_x.measure = measure_every_x<Tier>;
-    to.add(every_x);
+    const auto add = [&](const char* name, uint64_t inputs, Peak (*measure)(const Span&)) {
+        to.add({.name = name,
+                .header = header,
+                .functions = functions,
+                .unit = "levels",
+                .tier = Tier::name,
+                .bound = Kernel<Tier>::bound,
+                .inputs = {0, inputs - 1},
+                .measure = measure});
+    };
+    add("shininess, every u", exponent_count << Kernel<Tier>::u_bits, measure_every_u<Tier>);
+    add("shininess, every x", x_count * n_steps, measure_every_x<Tier>);
     Entry falls{
         .name = "shininess never rises", .header = header, .functions = functions, .unit = "units", .tier = Tier::name};
     to.add_random(falls, rise<Tier>, 20'000);

@@ -79,24 +79,20 @@ Result VertexResult::result() const {
             .inputs = figures.vertices()};
 }
 
-namespace {
-template <PrecisionTier Tier>
-void search_tier(std::vector<VertexResult>& results, int thoroughness, uint64_t seed,
-                 const std::function<void(const VertexResult&)>& done) {
-    for (VertexDomain domain : vertex_domains(Arithmetic<Tier>::wide)) {
-        domain.restarts *= thoroughness, domain.seed += seed;
-        results.push_back({Tier::name, domain, search<Tier>(domain)});
-        if (done) done(results.back());
-    }
-}
-}  // namespace
-
-std::vector<VertexResult> search_all(int thoroughness, uint64_t seed,
+std::vector<VertexResult> search_all(const std::string& only, int thoroughness, uint64_t seed,
                                      const std::function<void(const VertexResult&)>& done) {
     std::vector<VertexResult> results;
-    search_tier<lowp>(results, thoroughness, seed, done);
-    search_tier<mediump>(results, thoroughness, seed, done);
-    search_tier<highp>(results, thoroughness, seed, done);
+    const auto search_tier = [&]<PrecisionTier Tier>(Tier) {
+        for (VertexDomain domain : vertex_domains(Arithmetic<Tier>::wide)) {
+            VertexResult found{Tier::name, domain};
+            if (const Result r = found.result(); !label(r.name, r.tier).starts_with(only)) continue;
+            domain.restarts *= thoroughness, domain.seed += seed;
+            found.figures = search<Tier>(domain);
+            if (done) done(found);
+            results.push_back(std::move(found));
+        }
+    };
+    search_tier(lowp{}), search_tier(mediump{}), search_tier(highp{});
     return results;
 }
 

@@ -61,13 +61,14 @@ extern template VertexFigures search<highp>(const VertexDomain&);
 struct VertexResult {
     const char* tier;
     VertexDomain domain;
-    VertexFigures figures;
+    VertexFigures figures{};
 
     Result result() const;
 };
 
-/// Every domain in every tier; `thoroughness` times as many restarts, from seeds so much larger. `done` is told each.
-std::vector<VertexResult> search_all(int thoroughness, uint64_t seed,
+/// Every domain in every tier whose label begins with `only`; `thoroughness` times as many restarts, from seeds so much
+/// larger. `done` is told each.
+std::vector<VertexResult> search_all(const std::string& only, int thoroughness, uint64_t seed,
                                      const std::function<void(const VertexResult&)>& done);
 
 }  // namespace shade16::bounds

@@ -16,11 +16,10 @@ namespace {
 
 /// One line an entry, as soon as it is measured: of a long run it is the progress, and its log.
 void print_result(const bounds::Result& r) {
-    const std::string tier = r.tier.empty() ? "" : ", " + r.tier;
     const std::string share = r.bound == 0 ? "" : fmt::format(" ({:.1f} %)", 100 * r.measured / r.bound);
     const std::string verdict = r.holds() ? "" : Ink(STDOUT_FILENO).bad(" BROKEN");
-    print(fmt::format("{:<44} {:>10} of {:<10} {}{}; {} {}{}\n", r.name + tier, bounds::figure(r.measured),
-                      bounds::figure(r.bound), r.unit, share, bounds::with_commas(r.inputs),
+    print(fmt::format("{:<44} {:>10} of {:<10} {}{}; {} {}{}\n", bounds::label(r.name, r.tier),
+                      bounds::figure(r.measured), bounds::figure(r.bound), r.unit, share, bounds::with_commas(r.inputs),
                       r.is_exhaustive() ? "inputs, which are all" : "inputs", verdict));
 }
 
@@ -29,7 +28,7 @@ public:
     explicit Measuring(const ReportOptions& o) : options_(o) {
         const bounds::Entries all = bounds::functions();
         for (const bounds::Entry& entry : all.all())
-            if (entry.name.starts_with(o.only)) entries_.push_back(entry);
+            if (bounds::label(entry.name, entry.tier).starts_with(o.only)) entries_.push_back(entry);
         for (const bounds::Entry& entry : entries_)
             spans_.push_back(o.full ? bounds::all_spans(entry, {o.shard.number, o.shard.of})
                                     : bounds::ordinary_spans(entry));
@@ -52,8 +51,7 @@ public:
 
     /// Ten times as long in a full run, of which every shard searches elsewhere.
     std::vector<bounds::VertexResult> vertices() const {
-        if (!std::string("vertex: ").starts_with(options_.only)) return {};
-        return bounds::search_all(options_.full ? 10 : 1, options_.shard.number * 1000,
+        return bounds::search_all(options_.only, options_.full ? 10 : 1, options_.shard.number * 1000,
                                   [this](const bounds::VertexResult& v) { say(v.result()); });
     }
 
@@ -78,10 +76,9 @@ void refuse_broken(const std::vector<bounds::Result>& results) {
     std::string names;
     for (const bounds::Result& r : results)
         if (!r.holds())
-            names +=
-                (names.empty() ? "" : "; ") + fmt::format("{}{} is off {} {}, expected at most {}", r.name,
-                                                          r.tier.empty() ? "" : " (" + r.tier + ")",
-                                                          bounds::figure(r.measured), r.unit, bounds::figure(r.bound));
+            names += (names.empty() ? "" : "; ") +
+                     fmt::format("{} is off {} {}, expected at most {}", bounds::label(r.name, r.tier),
+                                 bounds::figure(r.measured), r.unit, bounds::figure(r.bound));
     if (!names.empty()) throw Error(ExitCode::check, "bounds are broken: " + names + ".");
 }
 

@@ -33,6 +33,16 @@ TEST(CliReport, leaves_a_page_that_needs_nothing_beside_it_json_and_tables) {
     EXPECT_EQ(only.at("inputs"), 49);
 }
 
+TEST(CliReport, takes_a_single_one_by_what_it_prints) {
+    const ScratchDirectory scratch;
+    for (const char* label : {"vertex: range, highp", "shininess never rises, lowp"}) {
+        const Ran ran = shade16_program("report bounds --only '" + std::string(label) + "' -o " + scratch.path(""));
+        EXPECT_EQ(ran.exit_code, 0) << ran.err;
+        EXPECT_THAT(ran.out, testing::StartsWith(label));
+        EXPECT_EQ(entries(scratch, "bounds.json").size(), 1u) << label;
+    }
+}
+
 TEST(CliReport, shards_merge_to_what_one_machine_measures) {
     const ScratchDirectory scratch;
     const auto run = [&](const std::string& options) {
