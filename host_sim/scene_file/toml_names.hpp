@@ -50,6 +50,8 @@ private:
         skip(end.size());
         while (!rest_.empty() && !rest_.starts_with(end)) skip(quote == '"' && rest_.front() == '\\' ? 2 : 1);
         skip(end.size());
+        // Up to two quotes may stand before the closing three.
+        for (int i = 0; end.size() == 3 && i < 2 && rest_.starts_with(quote); ++i) skip(1);
     }
 
     std::string_view rest_;

@@ -1,3 +1,3 @@
 # There is nothing to run the fuzzers with.
 include(${CMAKE_CURRENT_LIST_DIR}/../scripts/skip.cmake)
-shade16_skip("libFuzzer is not installed for this compiler (Debian: libclang-rt-14-dev).")
+shade16_skip("libFuzzer is not installed for this compiler (Debian: libclang-rt-dev).")

@@ -2,10 +2,10 @@
 // throws ends the fuzzer, as does a sanitizer.
 #pragma once
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <string_view>
 
 #include "host_sim/error.hpp"
 
@@ -16,11 +16,10 @@ namespace shade16::fuzz {
     std::abort();
 }
 
-/// One line that a terminal can show.
-inline bool is_sentence(const std::string& text) {
-    const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
-    return text.size() > 10 && (text.ends_with('.') || text.ends_with('?')) && std::none_of(text.begin(), text.end(), is_control);
-}
+inline std::string_view as_text(const uint8_t* data, std::size_t size) { return {reinterpret_cast<const char*>(data), size}; }
+
+/// host::Error itself keeps it to one line that a terminal can show.
+inline bool is_sentence(const std::string& text) { return text.size() > 10 && (text.ends_with('.') || text.ends_with('?')); }
 
 /// Whether `read` came to an end without a refusal.
 template <class Read>

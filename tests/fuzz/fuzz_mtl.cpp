@@ -2,14 +2,16 @@
 #include "host_sim/model/mtl_import.hpp"
 #include "shade16/num/shininess_window.hpp"
 #include "tests/fuzz/contract.hpp"
-#include "tests/fuzz/scratch.hpp"
+#include "tests/system/scratch_directory.hpp"
 
 namespace shade16::fuzz {
 namespace {
 
 /// Beside the library, so that its materials can have pictures.
-struct Directory : Scratch {
-    Directory() { copy(SHADE16_ASSETS "/crate.png", "crate.png"), copy(SHADE16_ASSETS "/bricks.png", "bricks.png"); }
+struct Directory : host::ScratchDirectory {
+    Directory() {
+        for (const std::string name : {"crate.png", "bricks.png"}) std::filesystem::copy_file(SHADE16_ASSETS "/" + name, path(name));
+    }
 };
 
 void expect_in_range(const Material& m) {
@@ -22,7 +24,7 @@ void expect_in_range(const Material& m) {
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, std::size_t size) {
     using namespace shade16;
     static const fuzz::Directory scratch;
-    scratch.write("library.mtl", data, size);
+    scratch.write("library.mtl", fuzz::as_text(data, size));
     fuzz::is_accepted("library.mtl", [&] {
         std::vector<std::string> warnings;
         std::vector<tinyobj::material_t> materials;

@@ -3,7 +3,7 @@
 #include "host_sim/model/obj_import.hpp"
 #include "tests/fuzz/contract.hpp"
 #include "tests/fuzz/drawing.hpp"
-#include "tests/fuzz/scratch.hpp"
+#include "tests/system/scratch_directory.hpp"
 
 namespace shade16::fuzz {
 namespace {
@@ -38,10 +38,10 @@ bool is_fitted(const uint8_t* data, std::size_t size) {
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, std::size_t size) {
     using namespace shade16;
-    static const fuzz::Scratch scratch;
+    static const host::ScratchDirectory scratch;
     fuzz::is_accepted("model.obj", [&] {
         const auto crease = size % 2 == 0 ? std::optional<double>(40) : std::nullopt;
-        const host::Model model = host::import_obj(scratch.write("model.obj", data, size), crease, size % 3 == 0);
+        const host::Model model = host::import_obj(scratch.write("model.obj", fuzz::as_text(data, size)), crease, size % 3 == 0);
         const host::BakedModel baked = host::quantize(model);
         if (baked.triangle_count() > fuzz::most_triangles) return;
         fuzz::draw(baked);

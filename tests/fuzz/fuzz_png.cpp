@@ -6,7 +6,7 @@
 
 #include "host_sim/model/texture_file.hpp"
 #include "tests/fuzz/contract.hpp"
-#include "tests/fuzz/scratch.hpp"
+#include "tests/system/scratch_directory.hpp"
 
 extern "C" std::size_t LLVMFuzzerMutate(uint8_t* data, std::size_t size, std::size_t max_size);
 
@@ -44,8 +44,8 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(uint8_t* data, std::size_t size, 
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, std::size_t size) {
     using namespace shade16;
-    static const fuzz::Scratch scratch;
-    const std::string path = scratch.write("picture.png", data, size);
+    static const host::ScratchDirectory scratch;
+    const std::string path = scratch.write("picture.png", fuzz::as_text(data, size));
     fuzz::is_accepted("picture.png", [&] {
         std::vector<std::string> warnings;
         fuzz::expect_whole(host::read_texture(path, warnings)->texture);

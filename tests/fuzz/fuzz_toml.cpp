@@ -6,15 +6,15 @@
 #include "host_sim/scene_file/read_scene.hpp"
 #include "tests/fuzz/contract.hpp"
 #include "tests/fuzz/drawing.hpp"
-#include "tests/fuzz/scratch.hpp"
+#include "tests/system/scratch_directory.hpp"
 
 namespace shade16::fuzz {
 namespace {
 
 /// Beside the scene, so that it can have a model and pictures.
-struct Directory : Scratch {
+struct Directory : host::ScratchDirectory {
     Directory() {
-        copy(SHADE16_ASSETS "/house.obj", "house.obj"), copy(SHADE16_ASSETS "/crate.png", "crate.png"), copy(SHADE16_ASSETS "/bricks.png", "bricks.png");
+        for (const std::string name : {"house.obj", "crate.png", "bricks.png"}) std::filesystem::copy_file(SHADE16_ASSETS "/" + name, path(name));
     }
 };
 
@@ -42,7 +42,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, std::size_t size) {
     using namespace shade16;
     static const fuzz::Directory directory;
     fuzz::is_accepted("scene.toml", [&] {
-        const std::string_view text(reinterpret_cast<const char*>(data), size);
+        const std::string_view text = fuzz::as_text(data, size);
         const host::SceneDescription description = host::read_scene_text(text, directory.path("scene.toml"));
         fuzz::expect_the_same_again(description);
         const host::LoadedScene loaded(description);

@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t bytes_a_frame = 1024;
 
 struct Options {
-    uint64_t frames = 100'000, shard = 1, shards = 1, seed = 1;
+    uint64_t frames = 100'000, shard = 0, shards = 1, seed = 1;
     std::optional<uint64_t> only{};
 };
 
@@ -58,7 +58,7 @@ void draw(uint64_t seed, uint64_t number, Summary& summary) {
 }
 
 [[noreturn]] void refuse_command_line() {
-    std::fprintf(stderr, "usage: random_frames [--frames N] [--shard I/N, I from 1 to N] [--seed S] [--only FRAME]\n");
+    std::fprintf(stderr, "usage: random_frames [--frames N] [--shard I/N, I from 0 to N - 1] [--seed S] [--only FRAME]\n");
     std::exit(2);
 }
 
@@ -81,13 +81,13 @@ void read_option(std::string_view name, std::string_view value, Options& o) {
 Options options_of(int argc, char** argv) {
     Options o;
     for (int i = 1; i < argc; i += 2) read_option(argv[i], i + 1 < argc ? argv[i + 1] : "", o);
-    if (o.shard < 1 || o.shard > o.shards) refuse_command_line();
+    if (o.shard >= o.shards) refuse_command_line();
     return o;
 }
 
 int run(const Options& o) {
     Summary summary;
-    const uint64_t first = o.only.value_or(o.shard - 1), end = o.only ? first + 1 : o.frames;
+    const uint64_t first = o.only.value_or(o.shard), end = o.only ? first + 1 : o.frames;
     for (uint64_t i = first; i < end; i += o.shards) {
         frame_at_hand = i;
         draw(o.seed, i, summary);

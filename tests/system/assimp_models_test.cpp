@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "host_sim/io/png_reader.hpp"
+#include "tests/requirements.hpp"
 #include "tests/system/program.hpp"
 
 namespace shade16::host {
@@ -66,8 +67,8 @@ TEST(AssimpModels, EachIsDrawnOrRefusedInASentence) {
         if (ran.exit_code == 0) expect_drawn(scratch), ++drawn;
         else expect_refused(ran, model, scratch), ++refused;
     }
-    EXPECT_GE(drawn, 10u);
-    EXPECT_GE(refused, 3u);
+    EXPECT_GE(drawn, 17u) << "models that were drawn are refused";
+    EXPECT_GE(refused, 8u) << "models that were refused are drawn";
     std::printf("[ assimp   ] %zu models are drawn, %zu refused\n", drawn, refused);
 }
 

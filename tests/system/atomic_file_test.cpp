@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "tests/requirements.hpp"
 #include "tests/system/scratch_directory.hpp"
 
 namespace shade16::host {

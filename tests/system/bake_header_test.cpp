@@ -4,6 +4,7 @@
 
 #include "host_sim/model/identifier.hpp"
 #include "host_sim/model/obj_import.hpp"
+#include "tests/requirements.hpp"
 #include "tests/system/scratch_directory.hpp"
 
 namespace shade16::host {

@@ -4,6 +4,7 @@
 
 #include "host_sim/model/identifier.hpp"
 #include "host_sim/scene_file/bake_scene.hpp"
+#include "tests/requirements.hpp"
 #include "tests/system/loaded_frames.hpp"
 #include "tests/system/program.hpp"
 #include "tests/system/scene_file_text.hpp"

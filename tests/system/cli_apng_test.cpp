@@ -1,6 +1,7 @@
 // Animated PNG and magnified pixels, read back by ffmpeg.
 #include <gmock/gmock.h>
 
+#include "tests/requirements.hpp"
 #include "tests/system/program.hpp"
 
 namespace shade16::host {

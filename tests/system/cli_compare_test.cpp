@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/requirements.hpp"
 #include "tests/system/program.hpp"
 
 namespace shade16::host {

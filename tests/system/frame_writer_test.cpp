@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <png.h>
 
+#include "tests/requirements.hpp"
 #include "tests/system/scratch_directory.hpp"
 
 namespace shade16::host {

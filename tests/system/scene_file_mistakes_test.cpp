@@ -82,6 +82,7 @@ TEST(SceneFileMistakes, names_of_many_parts) {
     for (const char* harmless : {"# a.a.a.a.a.a.a.a.a.a.a", "x = \"a.a.a.a.a.a.a.a.a.a\"", "x = 'a.a.a.a.a.a.a.a.a.a'", "x = \"\"\"\n\"a.a.a.a.a.a.a.a.a.a\"\"\"",
                                  "x = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9]"})
         EXPECT_EQ(complaint([&] { read_scene_text(one_ball + harmless, "scene.toml"); }).find(expected), std::string::npos) << harmless;
+    for (const char* string : {"x = '''a''''\n", "x = \"\"\"a\"\"\"\"\"\n"}) expect_wrong(string + nine + " = 1\n", "2:" + expected);
     std::string deep = "a";
     for (int i = 0; i < 200'000; ++i) deep += ".a";
     expect_wrong(deep + " = 1\n", "1:" + expected);

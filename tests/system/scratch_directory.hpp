@@ -1,4 +1,4 @@
-// A directory of its own for each test, gone afterwards; and the rule for tests that need a program.
+// A directory of its own for each test, gone afterwards.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,6 @@
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 #include "host_sim/error.hpp"
 
@@ -64,17 +62,6 @@ std::string complaint(Action action) {
 
 inline std::filesystem::path source_directory() {
     return std::filesystem::path(__FILE__).parent_path().parent_path().parent_path();
-}
-
-/// Whether what a test needs is here; if not and SHADE16_REQUIRE_ALL is 1, the test fails.
-inline bool is_here(bool found, const std::string& name) {
-    const char* all = std::getenv("SHADE16_REQUIRE_ALL");
-    EXPECT_TRUE(found || all == nullptr || std::string_view(all) != "1") << name << " is not here, and SHADE16_REQUIRE_ALL is set.";
-    return found;
-}
-inline bool has_file(const std::string& path) { return is_here(std::filesystem::exists(path), path); }
-inline bool has_program(const std::string& name) {
-    return is_here(std::system(("command -v " + name + " >/dev/null 2>&1").c_str()) == 0, name);
 }
 
 }  // namespace shade16::host

@@ -6,6 +6,8 @@
 #include <random>
 #include <string>
 
+#include "requirements.hpp"
+
 namespace shade16 {
 namespace {
 
@@ -13,7 +15,7 @@ namespace {
 constexpr bool has_reference = sizeof(long double) > 8;
 
 TEST(Power, NegativeLog2IsExactTo45Bits) {
-    if (!has_reference) GTEST_SKIP() << "long double is no wider than double here";
+    if (!host::is_here(has_reference, "a long double that is wider than double")) GTEST_SKIP() << "long double is no wider than double here.";
     long double worst = 0;
     const auto check = [&worst](uint64_t x) {
         const long double exact = 64 - std::log2(static_cast<long double>(x));
@@ -33,7 +35,7 @@ TEST(Power, NegativeLog2OfPowersOfTwoIsWhole) {
 }
 
 TEST(Power, Exp2NegativeIsExactTo32Bits) {
-    if (!has_reference) GTEST_SKIP() << "long double is no wider than double here";
+    if (!host::is_here(has_reference, "a long double that is wider than double")) GTEST_SKIP() << "long double is no wider than double here.";
     long double worst = 0;
     const auto check = [&worst](uint64_t t) {
         const long double exact = std::exp2(-std::ldexp(static_cast<long double>(t), -48));
@@ -55,7 +57,7 @@ TEST(Power, TimesQ16Saturates) {
 }
 
 TEST(Power, OfAComplementIsExactTo31Bits) {
-    if (!has_reference) GTEST_SKIP() << "long double is no wider than double here";
+    if (!host::is_here(has_reference, "a long double that is wider than double")) GTEST_SKIP() << "long double is no wider than double here.";
     long double worst = 0;
     for (const uint32_t n_q16 : {65536u, 98304u, 655360u, 5033165u, 8388608u, 65536000u})
         for (uint64_t u = 1; u < uint64_t{1} << 32; u += 499'979) {
