@@ -69,7 +69,7 @@ void add_bits(Entries& to) {
             .header = "num/literal.hpp",
             .functions = "parse_decimal",
             .unit = "units",
-            .bound = 0.5,
+            .bound = in_ulps(literal_max_error),
             .inputs = {0, std::size(parsed) - 1}},
            [](uint64_t i) { return std::fabs(static_cast<double>(parsed[i]) - wanted[i]); });
 }

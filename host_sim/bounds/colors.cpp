@@ -8,19 +8,22 @@ namespace {
 double wide_luma(double r, double g, double b) {
     return (r * LumaWeights::red + g * LumaWeights::green + b * LumaWeights::blue) / 65536;
 }
+Rgb any_color(Dice& dice) {
+    return {{static_cast<uint16_t>(dice.word())},
+            {static_cast<uint16_t>(dice.word())},
+            {static_cast<uint16_t>(dice.word())}};
+}
 
 double luma_error(Dice& dice) {
-    const Rgb c{{static_cast<uint16_t>(dice.word())},
-                {static_cast<uint16_t>(dice.word())},
-                {static_cast<uint16_t>(dice.word())}};
+    const Rgb c = any_color(dice);
     const double exact = wide_luma(c.r.raw, c.g.raw, c.b.raw) / 65535 * 4294967295.0;
     const ColorFactor f{dice.word(), dice.word(), dice.word()};
     double worst = std::fabs(luma_of(c).luma - exact);
-    worst = std::fmax(worst, std::fabs(as_factor<Channels::luma>(c).luma - exact));
-    worst = std::fmax(worst, std::fabs(as_factor<Channels::luma>(f).luma - wide_luma(f.r, f.g, f.b)));
+    worst = larger(worst, std::fabs(as_factor<Channels::luma>(c).luma - exact));
+    worst = larger(worst, std::fabs(as_factor<Channels::luma>(f).luma - wide_luma(f.r, f.g, f.b)));
     const ColorFactor same = as_factor<Channels::rgb>(f), wide = as_factor<Channels::rgb>(c);
-    return std::fmax(worst, Differences()(same.r, f.r)(same.g, f.g)(same.b, f.b)(wide.r, c.r.widened())(
-                                wide.g, c.g.widened())(wide.b, c.b.widened()));
+    return larger(worst, Differences()(same.r, f.r)(same.g, f.g)(same.b, f.b)(wide.r, c.r.widened())(
+                             wide.g, c.g.widened())(wide.b, c.b.widened()));
 }
 
 double each_channel(Dice& dice) {
@@ -60,7 +63,7 @@ void add_colors(Entries& to) {
             .header = "num/unorm.hpp",
             .functions = "operator\"\"_unorm",
             .unit = "units",
-            .bound = 0.5,
+            .bound = in_ulps(literal_max_error),
             .inputs = {0, std::size(written) - 1}},
            [](uint64_t i) { return std::fabs(written[i] - meant[i] * 65535); });
     to.add_random({.name = "luma",
@@ -87,16 +90,35 @@ void add_colors(Entries& to) {
             .header = "num/accumulator.hpp",
             .functions = "as_accumulator",
             .unit = "2^-24",
-            .bound = as_accumulator_max_error,
+            .bound = in_ulps(as_accumulator_max_error),
             .inputs = {0, 65535}},
            [](uint64_t raw) {
                const Unorm16 c{static_cast<uint16_t>(raw)};
                const double exact = static_cast<double>(raw) / 65535 * 16777216;
                const auto rgb = as_accumulator(Rgb{c, c, c});
                const auto gray = as_accumulator<Channels::luma>(Rgb{c, c, c});
-               return std::fmax(std::fabs(as_accumulator(c) - exact),
-                                Differences()(rgb.r, as_accumulator(c))(rgb.g, rgb.r)(rgb.b, rgb.r)(gray.luma, rgb.r));
+               return larger(std::fabs(as_accumulator(c) - exact),
+                             Differences()(rgb.r, as_accumulator(c))(rgb.g, rgb.r)(rgb.b, rgb.r)(gray.luma, rgb.r));
            });
+    to.add_random({.name = "as_accumulator, luma",
+                   .header = "num/accumulator.hpp",
+                   .functions = "as_accumulator",
+                   .unit = "2^-24",
+                   .bound = in_ulps(as_accumulator_max_error)},
+                  [](Dice& dice) {
+                      const Rgb c = any_color(dice);
+                      const double exact = wide_luma(c.r.raw, c.g.raw, c.b.raw) / 65535 * 16777216;
+                      return std::fabs(as_accumulator<Channels::luma>(c).luma - exact);
+                  });
+    static constexpr uint32_t weights[] = {LumaWeights::red, LumaWeights::green, LumaWeights::blue};
+    static constexpr double shares[] = {0.299, 0.587, 0.114};  // ITU-R BT.601
+    to.add({.name = "luma weights",
+            .header = "num/channels.hpp",
+            .functions = "",
+            .unit = "2^-16",
+            .bound = in_ulps(table_max_error),
+            .inputs = {0, 2}},
+           [](uint64_t i) { return std::fabs(weights[i] - shares[i] * 65536); });
 }
 
 }  // namespace shade16::bounds

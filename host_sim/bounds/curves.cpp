@@ -5,24 +5,17 @@
 #include <fmt/format.h>
 
 #include "host_sim/bounds/float32.hpp"
+#include "host_sim/bounds/kernel.hpp"
 #include "shade16/num/normalize.hpp"
-#include "shade16/num/shininess.hpp"
 
 namespace shade16::bounds {
 namespace {
 
-double q29(double u) { return std::min(std::floor(u * 0x1p29), 0x1p29 - 1); }
-
 template <class Tier>
 double power_error(const Shininess<Tier>& kernel, double n, double u) {
-    double got = 0, of = 0;
-    if constexpr (Arithmetic<Tier>::wide) {
-        const double word = std::floor(u * 0x1p32);
-        got = kernel.power(static_cast<uint32_t>(std::min(word, 0x1p32 - 1))) * 0x1p-32, of = word * 0x1p-32;
-    } else {
-        got = kernel.power(static_cast<uint32_t>(q29(u))) * 0x1p-16, of = q29(u) * 0x1p-29;
-    }
-    return 255 * std::fabs(got - std::pow(1 - of, n));
+    const double one = std::ldexp(1.0, Kernel<Tier>::u_bits), word = std::min(std::floor(u * one), one - 1);
+    const double got = std::ldexp(kernel.power(static_cast<uint32_t>(word)), -Kernel<Tier>::fraction_bits);
+    return 255 * std::fabs(got - std::pow(1 - word / one, n));
 }
 
 /// The largest error in each of some columns, each a stretch of u = 1 - N.H of equal ratio.
@@ -34,8 +27,8 @@ Line highlight_line(int exponent) {
     for (int i = 0; i < columns; ++i) {
         double worst = 0;
         for (int k = 0; k < samples; ++k)
-            worst = std::fmax(worst, power_error<Tier>(kernel, exponent,
-                                                       std::pow(10.0, -6 + 6 * (i + k / double{samples}) / columns)));
+            worst = larger(worst, power_error<Tier>(kernel, exponent,
+                                                    std::pow(10.0, -6 + 6 * (i + k / double{samples}) / columns)));
         line.points.emplace_back(std::pow(10.0, -6 + 6 * (i + 0.5) / columns), worst);
     }
     return line;
@@ -43,7 +36,7 @@ Line highlight_line(int exponent) {
 
 template <class Tier>
 Chart highlight_chart() {
-    const double bound = Arithmetic<Tier>::shininess_max_error.micro * 1e-6;
+    constexpr double bound = Kernel<Tier>::bound;
     Chart chart{.title = fmt::format("{}: error of (N.H)^n", Tier::name),
                 .x = {.label = "N.H",
                       .from = 1e-6,

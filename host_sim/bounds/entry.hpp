@@ -2,15 +2,25 @@
 // taken all, every so many, or a share of them on each of several machines.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "host_sim/bounds/dice.hpp"
+#include "shade16/num/ulps.hpp"
 
 namespace shade16::bounds {
+
+/// A constant of a header in its unit.
+inline double in_ulps(Ulps error) { return error.milli / 1000.0; }
+
+/// The larger error; a NaN is larger than any.
+inline double larger(double a, double b) { return a >= b || std::isnan(a) ? a : b; }
+inline long double larger(long double a, long double b) { return a >= b || std::isnan(a) ? a : b; }
 
 /// Every stride-th input from first to last.
 struct Span {
@@ -24,11 +34,12 @@ struct Peak {
 
     void add(double e, uint64_t input) {
         ++inputs;
-        if (!(e <= error)) error = e, at = input;  // a NaN is an error, too
+        if (std::isnan(e)) e = std::numeric_limits<double>::max();
+        if (e > error) error = e, at = input;
     }
     void add(const Peak& other) {
         inputs += other.inputs;
-        if (other.inputs != 0 && !(other.error <= error)) error = other.error, at = other.at;
+        if (other.error > error) error = other.error, at = other.at;
     }
 };
 

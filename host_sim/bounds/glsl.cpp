@@ -20,7 +20,7 @@ Entry entry(const char* name, const char* header, Ulps bound, const char* functi
             .header = std::string("glsl/") + header,
             .functions = std::string("glsl::") + (functions ? functions : name),
             .unit = "ulp of Q16",
-            .bound = bound.milli / 1000.0};
+            .bound = in_ulps(bound)};
 }
 
 /// A function of one argument, over all of them: 2^32.
@@ -37,13 +37,13 @@ double tangent_error(uint64_t word) {
     const Q16 x = Q16::from_raw(static_cast<int32_t>(word));
     const double exact = std::tan(value(x)), error = ulps(glsl::tan(x), exact);
     if (std::fabs(exact) < 256) return error;
-    return std::fmin(error,
-                     std::fmax(0, error - std::ldexp(std::fabs(exact) * 65536, glsl::tan_max_relative_error_log2)));
+    return std::fmax(0, error - std::ldexp(std::fabs(exact) * 65536, glsl::tan_max_relative_error_log2));
 }
 
 double pow_error(Dice& dice) {
-    const Q16 x = Q16::from_raw(static_cast<int32_t>(std::max<uint32_t>(dice.word() >> 1, 1)));
-    const double wanted = dice.uniform(-17, 15), log = std::log2(value(x));
+    const Q16 x = dice.below(3) == 0 ? Q16::from_raw(65536 + dice.integer(-3000, 3000))  // to a large power
+                                     : Q16::from_raw(static_cast<int32_t>(std::max<uint32_t>(dice.word() >> 1, 1)));
+    const double wanted = dice.uniform(dice.below(2) != 0 ? 13.5 : -17, 15), log = std::log2(value(x));
     const Q16 y = dice.below(2) != 0 || log == 0
                       ? dice.q16()
                       : Q16::from_raw(saturate(std::llround(std::fmin(std::fmax(wanted / log * 65536, -3e9), 3e9))));
@@ -56,8 +56,9 @@ double mix_error(Dice& dice) {
     return ulps(glsl::mix(a, b, t), static_cast<double>(exact) / 4294967296.0);
 }
 double smoothstep_error(Dice& dice) {
-    const Q16 low = dice.q16(), high = dice.q16(), x = glsl::mix(low, high, glsl::fract(dice.q16()));
-    if (low == high) return 0;
+    const Q16 low = dice.q16(), high = dice.q16(),
+              x = dice.below(4) == 0 ? dice.q16() : glsl::mix(low, high, glsl::fract(dice.q16()));
+    if (low == high) return ulps(glsl::smoothstep(low, high, x), x < low ? 0 : 1);
     const double t = std::clamp((value(x) - value(low)) / (value(high) - value(low)), 0.0, 1.0);
     return ulps(glsl::smoothstep(low, high, x), t * t * (3 - 2 * t));
 }
@@ -69,7 +70,8 @@ double mod_error(Dice& dice) {
 }
 double divide_error(Dice& dice) {
     const Q16 a = dice.q16(), b = dice.q16();
-    return b.raw == 0 ? 0 : ulps(glsl::divide(a, b), value(a) / value(b));
+    const double without = a.raw == 0 ? 0 : a.raw < 0 ? -1e9 : 1e9;  // a divisor
+    return ulps(glsl::divide(a, b), b.raw == 0 ? without : value(a) / value(b));
 }
 double parts_error(Q16 x) {
     const int64_t v = x.raw, below = v >> 16 << 16, above = below + (v != below ? 65536 : 0), largest = INT32_MAX;
@@ -92,8 +94,8 @@ double length_error(Dice& dice) {
     const glsl::vec3 a = any_vector(dice), b = any_vector(dice);
     long double between = 0;
     for (int i = 0; i < 3; ++i) between += std::pow(static_cast<long double>(a[i].raw) - b[i].raw, 2.0L);
-    return std::fmax(ulps(glsl::length(a), static_cast<double>(std::sqrt(exact_dot(a, a)))),
-                     ulps(glsl::distance(a, b), static_cast<double>(std::sqrt(between) / 65536)));
+    return larger(ulps(glsl::length(a), static_cast<double>(std::sqrt(exact_dot(a, a)))),
+                  ulps(glsl::distance(a, b), static_cast<double>(std::sqrt(between) / 65536)));
 }
 double dot_error(Dice& dice) {
     const glsl::vec3 a = any_vector(dice), b = any_vector(dice);
@@ -104,7 +106,7 @@ double normalize_error(Dice& dice) {
     const long double length = std::sqrt(exact_dot(a, a));
     double worst = 0;
     for (int i = 0; i < 3; ++i)
-        worst = std::fmax(worst, ulps(n[i], length == 0 ? 0 : static_cast<double>(a[i].raw / length / 65536)));
+        worst = larger(worst, ulps(n[i], length == 0 ? 0 : static_cast<double>(a[i].raw / length / 65536)));
     return worst;
 }
 

@@ -49,8 +49,8 @@ double units(uint32_t got, long double exact, int fraction_bits, long double end
 double cosine_error(Dice& dice) {
     const Pair p(dice);
     const Normal14 a = narrow(p.a), b = narrow(p.b);
-    return std::fmax(units(detail::cosine(p.a, p.b), exact_dot(p.a, p.b), 32, 1),
-                     units(detail::cosine(a, b), exact_dot(a, b), 16, 1));
+    return larger(units(detail::cosine(p.a, p.b), exact_dot(p.a, p.b), 32, 1),
+                  units(detail::cosine(a, b), exact_dot(a, b), 16, 1));
 }
 double narrow_chord_error(Dice& dice) {
     const Pair p(dice);
@@ -59,7 +59,9 @@ double narrow_chord_error(Dice& dice) {
 }
 double wide_chord_error(Dice& dice) {
     const Pair p(dice);
-    return units(detail::chord(p.a, p.b), exact_chord(p.a, p.b), 32, 1);
+    const long double u = exact_chord(p.a, p.b);
+    return units(detail::chord(p.a, p.b), u, 32, 1) /
+           (detail::wide_chord_max_error * std::sqrt(static_cast<double>(u)) + 1);
 }
 
 Scaled any_coefficient(Dice& dice) { return Scaled::normalized(dice.below(65536), -16 - dice.integer(0, 40)); }
@@ -79,9 +81,27 @@ constexpr Needs ranges = [] {
 double range_error(Dice& dice) {
     LampShape shape;
     shape.ends = true, shape.inverse_range_squared = {dice.mantissa(), -20};
-    const Scaled squared{dice.mantissa(), dice.integer(-10, 20)};
+    const Scaled squared{dice.mantissa(), dice.integer(-10, 24)};
     const long double left = std::fmax(1 - wide(squared) * wide(shape.inverse_range_squared), 0.0L);
     return static_cast<double>(std::fabs(wide(shape.at_distance<ranges>(squared)) - left * left));
+}
+
+constexpr Needs spots = [] {
+    Needs n;
+    n.spot = true;
+    return n;
+}();
+/// Between the angles of a cone, beside them and beyond; given the chord to its axis.
+double cone_error(Dice& dice) {
+    const long double one = 0x1p61L;
+    LampShape shape;
+    shape.inner = dice.bits() >> dice.integer(3, 20),
+    shape.outer = shape.inner + (dice.bits() >> dice.integer(3, 24)) + 1;
+    shape.inverse_width = reciprocal(Scaled::normalized(shape.outer - shape.inner, -61));
+    const uint64_t width = shape.outer - shape.inner,
+                   u = shape.inner - shape.inner / 8 + dice.bits() % (width + width / 4 + shape.inner / 8 + 1);
+    const long double t = std::clamp((shape.outer / one - u / one) / (width / one), 0.0L, 1.0L);
+    return static_cast<double>(std::fabs(wide(shape.in_cone<spots>(u)) - t * t * (3 - 2 * t)));
 }
 
 }  // namespace
@@ -92,12 +112,13 @@ void add_light(Entries& to) {
     };
     to.add_random(entry("N.L", "pipeline/light.hpp", "units", detail::cosine_max_error), cosine_error);
     to.add_random(entry("chord, 16-bit vectors", "pipeline/chord.hpp", "2^-29", 0), narrow_chord_error);
-    to.add_random(entry("chord, 32-bit vectors", "pipeline/chord.hpp", "2^-32", detail::wide_chord_max_error),
-                  wide_chord_error);
+    to.add_random(entry("chord, 32-bit vectors", "pipeline/chord.hpp", "of its bound", 1), wide_chord_error);
     to.add_random(entry("attenuation", "pipeline/lattice.hpp", "2^-32 of it", attenuation_max_error),
                   [](Dice& dice) { return attenuation_error(dice) * 0x1p32; });
     to.add_random(entry("range", "pipeline/lamp.hpp", "2^-32", detail::range_max_error),
                   [](Dice& dice) { return range_error(dice) * 0x1p32; });
+    to.add_random(entry("cone", "pipeline/lamp.hpp", "2^-32", detail::cone_max_error),
+                  [](Dice& dice) { return cone_error(dice) * 0x1p32; });
 }
 
 }  // namespace shade16::bounds

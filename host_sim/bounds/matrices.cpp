@@ -15,15 +15,22 @@ IVec3 column(const Mat3& m, int i) { return {entry(m, 0, i), entry(m, 1, i), ent
 Wide exact_dot(IVec3 a, IVec3 b) { return Wide{a.x} * b.x + Wide{a.y} * b.y + Wide{a.z} * b.z; }
 
 double product_error(Dice& dice) {
-    const Mat3 a = dice.rotation(), b = dice.rotation(), product = a * b, turned = transpose(a);
+    const Mat3 a = dice.rotation(), b = dice.rotation(), product = a * b;
     double worst = 0;
     for (int i = 0; i < 3; ++i)
         for (int k = 0; k < 3; ++k) {
-            worst = std::fmax(worst,
-                              std::fabs(entry(product, i, k) -
+            worst =
+                larger(worst, std::fabs(entry(product, i, k) -
                                         std::ldexp(static_cast<double>(exact_dot(raw(a.row[i]), column(b, k))), -30)));
-            worst = std::fmax(worst, std::fabs(double{1} * entry(turned, i, k) - entry(a, k, i)));
         }
+    return worst;
+}
+
+double transpose_error(Dice& dice) {
+    const Mat3 m = dice.rotation(), turned = transpose(m);
+    Differences worst;
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k) worst(entry(turned, i, k), entry(m, k, i));
     return worst;
 }
 
@@ -32,7 +39,7 @@ double rotated_error(const Mat3& m, IVec3 v, IVec3 got, int extra_bits) {
     double worst = 0;
     for (int i = 0; i < 3; ++i) {
         const double exact = std::ldexp(static_cast<double>(exact_dot(raw(m.row[i]), v)), extra_bits - 30);
-        worst = std::fmax(worst, std::fabs(component(got, i) - std::clamp<double>(exact, INT32_MIN, INT32_MAX)));
+        worst = larger(worst, std::fabs(component(got, i) - std::clamp<double>(exact, INT32_MIN, INT32_MAX)));
     }
     return worst;
 }
@@ -42,7 +49,7 @@ double rotation_error(Dice& dice) {
     const IVec3 v = dice.vector();
     const int extra_bits = dice.integer(0, 14);
     const Vec3 q{Q16::from_raw(v.x), Q16::from_raw(v.y), Q16::from_raw(v.z)};
-    return std::fmax(rotated_error(m, v, rotate(m, v, extra_bits), extra_bits), rotated_error(m, v, raw(m * q), 0));
+    return larger(rotated_error(m, v, rotate(m, v, extra_bits), extra_bits), rotated_error(m, v, raw(m * q), 0));
 }
 
 double axis_error(Dice& dice) {
@@ -66,7 +73,7 @@ double inverse_error(Dice& dice) {
     double worst = 0;
     for (const Vec3& got : {back, twice})
         for (int i = 0; i < 3; ++i)
-            worst = std::fmax(worst, std::fabs(double{1} * component(raw(got), i) - component(raw(v), i)));
+            worst = larger(worst, std::fabs(double{1} * component(raw(got), i) - component(raw(v), i)));
     return worst;
 }
 
@@ -75,15 +82,17 @@ double inverse_error(Dice& dice) {
 void add_matrices(Entries& to) {
     to.add_random({.name = "Mat3 product",
                    .header = "num/mat.hpp",
-                   .functions = "operator* transpose",
+                   .functions = "operator*",
                    .unit = "ulp of Q30",
-                   .bound = mat3_product_max_error.milli / 1000.0},
+                   .bound = in_ulps(mat3_product_max_error)},
                   product_error);
+    to.add_random({.name = "transpose", .header = "num/mat.hpp", .functions = "transpose", .unit = "ulp of Q30"},
+                  transpose_error);
     to.add_random({.name = "rotate",
                    .header = "num/mat.hpp",
                    .functions = "rotate operator*",
                    .unit = "ulp of the result",
-                   .bound = rotate_max_error.milli / 1000.0},
+                   .bound = in_ulps(rotate_max_error)},
                   rotation_error);
     to.add_random({.name = "rotate_x, rotate_y, rotate_z",
                    .header = "num/mat.hpp",
@@ -94,7 +103,7 @@ void add_matrices(Entries& to) {
                    .header = "num/mat.hpp",
                    .functions = "inverse operator*",
                    .unit = "ulp of Q16, there and back",
-                   .bound = inverse_max_error.milli / 1000.0},
+                   .bound = in_ulps(inverse_max_error)},
                   inverse_error);
 }
 

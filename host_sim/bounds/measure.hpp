@@ -5,13 +5,9 @@
 #include <vector>
 
 #include "host_sim/bounds/entry.hpp"
+#include "host_sim/bounds/shard.hpp"
 
 namespace shade16::bounds {
-
-/// One of `of` equal shares of a run, that several machines may divide among themselves.
-struct Shard {
-    uint64_t number = 0, of = 1;
-};
 
 /// What an ordinary run measures of a function of one argument: every input of a small domain; of a large one those
 /// around every power of two, counted from both ends, and around a hundred places in between, and four million spread

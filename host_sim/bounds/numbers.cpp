@@ -42,7 +42,7 @@ void add_numbers(Entries& to) {
          .header = "num/q16.hpp",
          .functions = "Q16::operator*",
          .unit = "ulp of Q16",
-         .bound = q16_product_max_error.milli / 1000.0},
+         .bound = in_ulps(q16_product_max_error)},
         [](Dice& dice) {
             const Q16 a = dice.q16(), b = dice.q16();
             const int64_t got = (a * b).raw, product = int64_t{a.raw} * b.raw;
@@ -68,7 +68,7 @@ void add_numbers(Entries& to) {
             .header = "num/q16.hpp",
             .functions = "operator\"\"_q16",
             .unit = "ulp of Q16",
-            .bound = 0.5,
+            .bound = in_ulps(literal_max_error),
             .inputs = {0, std::size(written) - 1}},
            [](uint64_t i) { return std::fabs(static_cast<double>(written[i]) - meant[i] * 65536); });
     to.add_random({.name = "amounts of error",

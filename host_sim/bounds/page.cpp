@@ -84,10 +84,25 @@ std::string table(const Chart& chart) {
     return text;
 }
 
+std::string vertex_tables(const std::vector<VertexResult>& vertices) {
+    std::string text =
+        "| scenes | tier | largest | 99.9 % | mean | of its promise | exact at 8 bits | exact at RGB565 | vertices "
+        "|\n|---|---|---|---|---|---|---|---|---|\n";
+    for (const VertexResult& v : vertices) {
+        const VertexFigures& f = v.figures;
+        text += fmt::format("| {} | {} | {} | {} | {} | {:.1f} % | {:.2f} % | {:.2f} % | {} |\n", v.domain.name, v.tier,
+                            figure(f.largest_levels()), figure(f.usual_levels()), figure(f.mean_levels()),
+                            100 * f.largest_share(), 100 * f.exact_at_8_bits(), 100 * f.exact_at_565(),
+                            with_commas(f.vertices()));
+    }
+    const Chart exponents = exponent_chart();
+    return text + "\n" + exponents.title + ", in levels:\n\n" + table(exponents) + "\n";
+}
+
 }  // namespace
 
 std::string page(const Report& report) {
-    const auto& [results, vertices, exponents] = report;
+    const auto& [results, vertices] = report;
     const auto broken = std::ranges::count_if(results, [](const Result& r) { return !r.holds(); });
     std::string text = style;
     text +=
@@ -99,8 +114,8 @@ std::string page(const Report& report) {
                                     : fmt::format("broken\">{} of {} bounds are broken.", broken, results.size()));
     text += "<div class=\"charts\">\n";
     for (const Chart& chart : highlight_charts()) text += figure_chart(chart);
-    text += figure_chart(normalize_chart()) + figure_chart(exponents);
-    if (!vertices.empty()) text += figure_chart(share_chart(vertices));
+    text += figure_chart(normalize_chart());
+    if (!vertices.empty()) text += figure_chart(exponent_chart()) + figure_chart(share_chart(vertices));
     text += "</div>\n";
     if (!vertices.empty()) {
         text +=
@@ -129,21 +144,11 @@ std::string page(const Report& report) {
 }
 
 std::string markdown(const Report& report) {
-    const auto& [results, vertices, exponents] = report;
-    std::string text =
-        "| scenes | tier | largest | 99.9 % | mean | of its promise | exact at 8 bits | exact at RGB565 | vertices "
-        "|\n|---|---|---|---|---|---|---|---|---|\n";
-    for (const VertexResult& v : vertices) {
-        const VertexFigures& f = v.figures;
-        text += fmt::format("| {} | {} | {} | {} | {} | {:.1f} % | {:.2f} % | {:.2f} % | {} |\n", v.domain.name, v.tier,
-                            figure(f.largest_levels()), figure(f.usual_levels()), figure(f.mean_levels()),
-                            100 * f.largest_share(), 100 * f.exact_at_8_bits(), 100 * f.exact_at_565(),
-                            with_commas(f.vertices()));
-    }
-    text += "\n" + exponents.title + ", in levels:\n\n" + table(exponents) +
-            "\n| function | tier | bound | measured | unit | inputs |\n|---|---|---|---|---|---|\n";
+    const auto& [results, vertices] = report;
+    std::string text = vertices.empty() ? "" : vertex_tables(vertices);
+    text += "| function | tier | bound | measured | unit | inputs |\n|---|---|---|---|---|---|\n";
     for (const Result& r : results)
-        if (!r.name.starts_with("vertex: "))
+        if (vertices.empty() || !r.name.starts_with("vertex: "))
             text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", r.name, r.tier, figure(r.bound),
                                 figure(r.measured), r.unit, looked_at(r));
     return text;

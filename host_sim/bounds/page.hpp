@@ -12,7 +12,6 @@ namespace shade16::bounds {
 struct Report {
     std::vector<Result> results{};
     std::vector<VertexResult> vertices{};  // none in a merged report, which has only their results
-    Chart exponents{};
 };
 
 std::string page(const Report& report);

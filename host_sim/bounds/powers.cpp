@@ -27,7 +27,7 @@ double cosine_error(Dice& dice) {
 }
 
 double complement_error(Dice& dice) {
-    const uint32_t u = dice.word(), n = 65536 + dice.below(999 * 65536 + 1);
+    const uint32_t u = dice.word(), n = dice.below(1000 * 65536 + 1);
     const long double exact =
         std::pow(1 - std::ldexp(static_cast<long double>(u), -32), std::ldexp(static_cast<long double>(n), -16));
     return static_cast<double>(std::fabs(std::ldexp(static_cast<long double>(power_of_complement(u, n)), -32) - exact));
@@ -56,8 +56,7 @@ void add_powers(Entries& to) {
     to.add_random(entry("times_q16", "times_q16", "units", 0), [](Dice& dice) {
         const uint64_t t = dice.long_word();
         const uint32_t n = dice.word();
-        const WideUnsigned high = WideUnsigned{t >> 32} * n, low = WideUnsigned{t & UINT32_MAX} * n;
-        const WideUnsigned wanted = high >> 47 ? WideUnsigned{UINT64_MAX} : (high << 16) + (low >> 16);
+        const WideUnsigned wanted = std::min<WideUnsigned>(WideUnsigned{t} * n >> 16, UINT64_MAX);
         return static_cast<double>(wanted > times_q16(t, n) ? wanted - times_q16(t, n) : times_q16(t, n) - wanted);
     });
     to.add_random(entry("power_of_complement", "power_of_complement", "absolute",
@@ -75,6 +74,25 @@ void add_powers(Entries& to) {
                    .unit = "of 2^-29 + |p| 2^-31.4",
                    .bound = 1},
                   cosine_error);
+    to.add({.name = "logarithm for power",
+            .header = "num/scaled_power.hpp",
+            .functions = "",
+            .unit = "2^-32",
+            .bound = detail::log2_of_normalized_max_error,
+            .inputs = {uint64_t{1} << 31, UINT32_MAX}},
+           [](uint64_t x) {
+               const double exact = std::log2(std::ldexp(static_cast<double>(x), -31)) * 0x1p32;
+               return std::fabs(static_cast<double>(detail::log2_of_normalized(static_cast<uint32_t>(x))) - exact);
+           });
+    to.add({.name = "power of two for power",
+            .header = "num/scaled_power.hpp",
+            .functions = "",
+            .unit = "2^-32 of it",
+            .bound = detail::scaled_exp2_of_fraction_max_error},
+           [](uint64_t f) {
+               const long double exact = std::exp2(std::ldexp(static_cast<long double>(f), -32));
+               return relative_error(wide(detail::scaled_exp2_of_fraction(static_cast<uint32_t>(f))), exact) * 0x1p32;
+           });
 }
 
 }  // namespace shade16::bounds

@@ -51,8 +51,7 @@ void add_roots(Entries& to) {
             .inputs = {0, UINT32_MAX}},
            [](uint64_t i) {
                const Scaled x{static_cast<uint32_t>(i) | uint32_t{1} << 31, static_cast<int>(i >> 31)}, root = sqrt(x);
-               const double exact = std::sqrt(std::ldexp(static_cast<double>(x.mantissa), x.exponent - 32));
-               return std::fabs(std::ldexp(static_cast<double>(root.mantissa), root.exponent - 32) / exact - 1);
+               return relative_error(wide(root), std::sqrt(wide(x)));
            });
     to.add_random({.name = "isqrt", .header = "num/rsqrt.hpp", .functions = "isqrt", .unit = "wrong results"},
                   [](Dice& dice) {

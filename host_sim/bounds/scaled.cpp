@@ -60,7 +60,7 @@ void add_scaled(Entries& to) {
             .header = "num/scaled.hpp",
             .functions = "operator\"\"_scaled",
             .unit = "2^-24",
-            .bound = 0.5,
+            .bound = in_ulps(literal_max_error),
             .inputs = {0, std::size(written) - 1}},
            [](uint64_t i) { return std::fabs(static_cast<double>(wide(written[i])) - meant[i]) * 16777216; });
 }

@@ -1,20 +1,11 @@
-#include "shade16/num/shininess.hpp"
-
 #include <vector>
 
 #include "host_sim/bounds/entries.hpp"
 #include "host_sim/bounds/exact.hpp"
+#include "host_sim/bounds/kernel.hpp"
 
 namespace shade16::bounds {
 namespace {
-
-/// How a tier's kernel takes u and gives its power.
-template <class Tier>
-struct Kernel {
-    static constexpr bool shared = Arithmetic<Tier>::wide;
-    static constexpr int u_bits = shared ? 32 : 29, fraction_bits = shared ? 32 : 16;
-    static constexpr double bound = Arithmetic<Tier>::shininess_max_error.micro * 1e-6;
-};
 
 double levels(double error) { return 255 * std::fabs(error); }
 
@@ -116,7 +107,7 @@ double rise(Dice& dice) {
         const uint32_t u = dice.word() >> (32 - Kernel<Tier>::u_bits),
                        beyond = u + 1 + dice.word() / 4 % (dice.below(2) != 0 ? 8 : 1 << 20);
         if (beyond > u)
-            worst = std::fmax(worst, static_cast<double>(kernel.power(beyond)) - static_cast<double>(kernel.power(u)));
+            worst = larger(worst, static_cast<double>(kernel.power(beyond)) - static_cast<double>(kernel.power(u)));
     }
     return worst;
 }

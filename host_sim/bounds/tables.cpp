@@ -12,11 +12,11 @@ using Real = long double;
 
 double off(Real entry, Real exact) { return static_cast<double>(std::fabs(entry - exact)); }
 
-/// Lowered by a sixteenth of the second difference, whose ends take their neighbours'.
+/// Lowered by a sixteenth of the second difference, whose ends take their neighbours'; in whole numbers.
 template <class F>
-Real lowered(F exact, uint64_t i, uint64_t last) {
+Real lowered(F whole, uint64_t i, uint64_t last) {
     const uint64_t k = std::clamp<uint64_t>(i, 1, last - 1);
-    return exact(i) - (exact(k - 1) - 2 * exact(k) + exact(k + 1)) / 16;
+    return static_cast<Real>(whole(i) - (whole(k - 1) - 2 * whole(k) + whole(k + 1)) / 16);
 }
 
 template <int Bits>
@@ -30,16 +30,19 @@ double reciprocal_entry(uint64_t i) {
     return off(detail::reciprocal_table.y[i], std::fmin(exact - exact / (8 * a * a), 65535.0L));
 }
 double log_entry(uint64_t i) {
-    const auto exact = [](uint64_t k) {
-        return std::ldexp(
-            k == 0 ? 1 / std::log(2.0L) : -std::log2(1 - static_cast<Real>(k) / 128) * 128 / static_cast<Real>(k), 31);
+    const auto whole = [](uint64_t k) -> int64_t {
+        if (k == 0) return std::llround(std::ldexp(1 / std::log(2.0L), 31));
+        const Real x = static_cast<Real>(k) / 128;
+        return static_cast<int64_t>(std::ldexp(-std::log2(1 - x) / x, 31));
     };
-    return off(detail::log_table.y[i], lowered(exact, i, 64));
+    return off(detail::log_table.y[i], lowered(whole, i, 64));
 }
 double exp_entry(uint64_t i) {
-    const auto exact = [](uint64_t k) { return std::ldexp(std::exp2(-static_cast<Real>(k) / 128), 32); };
-    if (i == 128) return off(detail::exp_table.y[i], detail::exp_table.y[0] / 2);
-    return off(detail::exp_table.y[i], std::fmin(lowered(exact, i, 128), 4294967295.0L));
+    const auto whole = [](uint64_t k) -> int64_t {
+        return std::llround(std::ldexp(std::exp2(-static_cast<Real>(k) / 128), 32));
+    };
+    if (i == 128) return off(detail::exp_table.y[i], detail::exp_table.y[0] / 2);  // where octaves meet
+    return off(detail::exp_table.y[i], std::fmin(lowered(whole, i, 128), 4294967295.0L));
 }
 double middle_log_entry(uint64_t i) {
     const Real inverse = std::floor(std::ldexp(64.0L, 32) / static_cast<Real>(65 + 2 * i));
@@ -54,9 +57,11 @@ double divisor_entry(uint64_t i) {
     return std::fmax(off(detail::sine_reciprocals[i], 4294967296.0L / (2 * k * (2 * k + 1))),
                      off(detail::cosine_reciprocals[i], 4294967296.0L / (2 * k * (2 * k - 1))));
 }
-/// Floored, a root of a floored root: within a unit of 2^-64, which long double only just resolves.
+/// The largest whose square does not exceed the root before, in integers: long double has no digit to spare.
 double root_of_half_entry(uint64_t i) {
-    return off(detail::roots_of_half.y[i + 1], std::ldexp(std::exp2(-std::ldexp(1.0L, -static_cast<int>(i) - 1)), 64));
+    const uint64_t before = i == 0 ? uint64_t{1} << 63 : detail::roots_of_half.y[i],
+                   root = detail::roots_of_half.y[i + 1];
+    return mulhi(root, root) <= before && mulhi(root + 1, root + 1) > before ? 0 : 1;
 }
 
 /// A window's entries for 64 exponents, in units of 2^-16.
@@ -75,7 +80,7 @@ double window_entry(uint64_t i) {
     for (uint64_t k = 0; k <= segments; ++k) {
         const Real bend = k == 0 ? 2 * curvature(1) - curvature(2) : curvature(std::min(k, segments - 1));
         const Real wanted = std::fmin(65536 * (exact(k) - std::clamp(bend / 16, 0.0L, exact(k) / 2)), 65535.0L);
-        worst = std::fmax(worst, off(window.y[k], wanted));
+        worst = larger(worst, off(window.y[k], wanted));
     }
     return worst;
 }
@@ -93,19 +98,18 @@ void add_tables(Entries& to) {
                 .inputs = {0, count - 1}},
                error);
     };
-    add("table of 49 for rsqrt", "num/rsqrt.hpp", 49, table_max_error.milli / 1000.0, rsqrt_entry<6>);
-    add("table of 97 for rsqrt", "num/rsqrt.hpp", 97, table_max_error.milli / 1000.0, rsqrt_entry<7>);
-    add("table for the reciprocal", "num/reciprocal.hpp", 65, table_max_error.milli / 1000.0, reciprocal_entry);
-    add("table for the logarithm", "num/shininess_shared.hpp", 65, detail::shared_table_max_error.milli / 1000.0,
-        log_entry);
-    add("table for the power of two", "num/shininess_shared.hpp", 129, detail::shared_table_max_error.milli / 1000.0,
+    add("table of 49 for rsqrt", "num/rsqrt.hpp", 49, in_ulps(table_max_error), rsqrt_entry<6>);
+    add("table of 97 for rsqrt", "num/rsqrt.hpp", 97, in_ulps(table_max_error), rsqrt_entry<7>);
+    add("table for the reciprocal", "num/reciprocal.hpp", 65, in_ulps(table_max_error), reciprocal_entry);
+    add("table for the logarithm", "num/shininess_shared.hpp", 65, in_ulps(detail::shared_table_max_error), log_entry);
+    add("table for the power of two", "num/shininess_shared.hpp", 129, in_ulps(detail::shared_table_max_error),
         exp_entry);
-    add("middles for the logarithm", "num/scaled_power.hpp", 32, table_max_error.milli / 1000.0, middle_log_entry);
-    add("middles for the power of two", "num/scaled_power.hpp", 32, table_max_error.milli / 1000.0, middle_exp_entry);
-    add("divisors of the sine and cosine", "num/angle.hpp", 5, table_max_error.milli / 1000.0, divisor_entry);
-    add("roots of a half", "num/power.hpp", 48, detail::roots_of_half_max_error.milli / 1000.0, root_of_half_entry);
-    add("windows of lowp", "num/shininess_window.hpp", 64, table_max_error.milli / 1000.0, window_entry<lowp>);
-    add("windows of mediump", "num/shininess_window.hpp", 64, table_max_error.milli / 1000.0, window_entry<mediump>);
+    add("middles for the logarithm", "num/scaled_power.hpp", 32, in_ulps(table_max_error), middle_log_entry);
+    add("middles for the power of two", "num/scaled_power.hpp", 32, in_ulps(table_max_error), middle_exp_entry);
+    add("divisors of the sine and cosine", "num/angle.hpp", 5, in_ulps(table_max_error), divisor_entry);
+    add("roots of a half", "num/power.hpp", 48, 0, root_of_half_entry);
+    add("windows of lowp", "num/shininess_window.hpp", 64, in_ulps(table_max_error), window_entry<lowp>);
+    add("windows of mediump", "num/shininess_window.hpp", 64, in_ulps(table_max_error), window_entry<mediump>);
 }
 
 }  // namespace shade16::bounds

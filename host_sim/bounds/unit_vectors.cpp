@@ -15,7 +15,7 @@ double component_error(IVec3 v, IVec3 n, int fraction_bits) {
     const long double x = v.x, y = v.y, z = v.z,
                       scale = std::ldexp(1.0L, fraction_bits) / std::sqrt(x * x + y * y + z * z);
     return static_cast<double>(
-        std::fmax(std::fabs(n.x - x * scale), std::fmax(std::fabs(n.y - y * scale), std::fabs(n.z - z * scale))));
+        larger(std::fabs(n.x - x * scale), larger(std::fabs(n.y - y * scale), std::fabs(n.z - z * scale))));
 }
 
 /// The angle between v and n, in units of 2^-fraction_bits radian: what the length's error does not touch.
@@ -44,7 +44,7 @@ void add_form(Entries& to, const char* name, const char* functions, int fraction
                    .header = "num/normalize.hpp",
                    .functions = functions,
                    .unit = ulp + ", the angle",
-                   .bound = (fraction_bits == 14 ? normalize14_max_angle : normalize30_max_angle).milli / 1000.0},
+                   .bound = in_ulps(fraction_bits == 14 ? normalize14_max_angle : normalize30_max_angle)},
                   [=](Dice& dice) {
                       const IVec3 v = any_vector(dice);
                       return angle_error(v, form(v), fraction_bits);
@@ -54,13 +54,13 @@ void add_form(Entries& to, const char* name, const char* functions, int fraction
 }  // namespace
 
 void add_unit_vectors(Entries& to) {
-    add_form(to, "normalize14<6>", "normalize14", 14, normalize14_small_max_error.milli / 1000.0,
+    add_form(to, "normalize14<6>", "normalize14", 14, in_ulps(normalize14_small_max_error),
              [](IVec3 v) { return raw(normalize14<6>(v)); });
-    add_form(to, "normalize14<7>", "normalize14", 14, normalize14_max_error.milli / 1000.0,
+    add_form(to, "normalize14<7>", "normalize14", 14, in_ulps(normalize14_max_error),
              [](IVec3 v) { return raw(normalize14<7>(v)); });
-    add_form(to, "normalize30", "normalize30", 30, normalize30_max_error.milli / 1000.0,
+    add_form(to, "normalize30", "normalize30", 30, in_ulps(normalize30_max_error),
              [](IVec3 v) { return raw(normalize30(v)); });
-    add_form(to, "normalize_finely", "normalize_finely normalize", 30, normalize_finely_max_error.milli / 1000.0,
+    add_form(to, "normalize_finely", "normalize_finely normalize", 30, in_ulps(normalize_finely_max_error),
              [](IVec3 v) {
                  const IVec3 n = raw(normalize_finely(v));
                  return n == raw(normalize(Vec3{Q16::from_raw(v.x), Q16::from_raw(v.y), Q16::from_raw(v.z)}))

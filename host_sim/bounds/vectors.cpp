@@ -41,9 +41,8 @@ Wide minor(Q16 a, Q16 b, Q16 c, Q16 d) { return Wide{a.raw} * b.raw - Wide{c.raw
 
 double cross_error(Dice& dice) {
     const Vec3 a = dice.vec3(), b = dice.vec3(), c = cross(a, b);
-    return std::fmax(
-        ulps_of_q16(c.x, minor(a.y, b.z, a.z, b.y)),
-        std::fmax(ulps_of_q16(c.y, minor(a.z, b.x, a.x, b.z)), ulps_of_q16(c.z, minor(a.x, b.y, a.y, b.x))));
+    return larger(ulps_of_q16(c.x, minor(a.y, b.z, a.z, b.y)),
+                  larger(ulps_of_q16(c.y, minor(a.z, b.x, a.x, b.z)), ulps_of_q16(c.z, minor(a.x, b.y, a.y, b.x))));
 }
 
 }  // namespace
@@ -60,7 +59,7 @@ void add_vectors(Entries& to) {
                    .header = "num/vec.hpp",
                    .functions = "dot",
                    .unit = "ulp of Q16",
-                   .bound = vec3_dot_max_error.milli / 1000.0},
+                   .bound = in_ulps(vec3_dot_max_error)},
                   [](Dice& dice) {
                       const Vec3 a = dice.vec3(), b = dice.vec3();
                       return ulps_of_q16(dot(a, b), exact_dot(a, b));
@@ -69,7 +68,7 @@ void add_vectors(Entries& to) {
                    .header = "num/vec.hpp",
                    .functions = "cross",
                    .unit = "ulp of Q16",
-                   .bound = vec3_cross_max_error.milli / 1000.0},
+                   .bound = in_ulps(vec3_cross_max_error)},
                   cross_error);
 }
 

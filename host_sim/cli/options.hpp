@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "host_sim/bounds/shard.hpp"
 #include "host_sim/engine/formats.hpp"
 #include "shade16/pipeline/transform.hpp"
 #include "host_sim/engine/look.hpp"
@@ -78,16 +79,11 @@ struct GalleryOptions {
     bool quiet = false, json = false;
 };
 
-/// One of `of` machines that share a run.
-struct ShardOption {
-    uint64_t number = 0, of = 1;
-};
-
 struct ReportOptions {
     std::string subject{}, output{};  // output: a directory
     std::string only{};               // names that begin so
     bool full = false;                // every input
-    ShardOption shard{};
+    bounds::Shard shard{};
     std::vector<std::string> merge{};  // read these instead of measuring
     bool quiet = false, json = false;
     std::set<std::string> given{};  // as in RenderOptions

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 
-#include "host_sim/bounds/curves.hpp"
 #include "host_sim/bounds/entries.hpp"
 #include "host_sim/bounds/page.hpp"
 #include "host_sim/cli/bounds_json.hpp"
@@ -30,8 +29,7 @@ public:
         for (const bounds::Entry& entry : all.all())
             if (bounds::label(entry.name, entry.tier).starts_with(o.only)) entries_.push_back(entry);
         for (const bounds::Entry& entry : entries_)
-            spans_.push_back(o.full ? bounds::all_spans(entry, {o.shard.number, o.shard.of})
-                                    : bounds::ordinary_spans(entry));
+            spans_.push_back(o.full ? bounds::all_spans(entry, o.shard) : bounds::ordinary_spans(entry));
         for (const auto& spans : spans_) total_ += spans.size();
     }
 
@@ -91,7 +89,7 @@ ExitCode report(const ReportOptions& o) {
         throw input_error("--output {}: is no directory, and none can be made there.", o.output);
     const std::filesystem::path directory = o.output;
 
-    bounds::Report report{.exponents = bounds::exponent_chart()};
+    bounds::Report report;
     if (o.merge.empty()) {
         const Measuring measuring(o);
         report.results = measuring.functions();

@@ -121,7 +121,7 @@ std::string subject_of(const std::string& word) {
     return word;
 }
 
-ShardOption shard_of(const std::string& word) {
+bounds::Shard shard_of(const std::string& word) {
     const std::size_t slash = std::min(word.find('/'), word.size());
     const std::optional<int> share = number(std::string_view(word).substr(0, slash)), of = number(std::string_view(word).substr(std::min(slash + 1, word.size())));
     if (!share || !of || *of < 1 || *share < 0 || *share >= *of) throw input_error("--shard {}: expected I/N, a share from 0 to N - 1, such as 0/2.", word);

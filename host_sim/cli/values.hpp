@@ -27,7 +27,7 @@ std::string tier_of(const std::string& word);
 std::string format_of(const std::string& word);
 std::string dither_of(const std::string& word);
 std::string subject_of(const std::string& word);  // of a report
-ShardOption shard_of(const std::string& word);
+bounds::Shard shard_of(const std::string& word);
 
 /// The name of a PNG file, as it is.
 std::string picture_of(const std::string& path);

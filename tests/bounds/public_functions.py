@@ -14,7 +14,7 @@ FUNCTIONS = {"FunctionDecl", "CXXMethodDecl", "CXXConversionDecl"}
 HIDDEN = {"detail", "wide", "narrow"}  # namespaces; wide and narrow are the two bodies of one definition
 SAID = ("Range", "Error", "Cost", "Source")  # by the comment of whatever errs
 # Those that say it in the comment of the function that they call, or of the one that stands before them.
-BESIDE = {"as_factor", "sin", "cos", "Arc::angle", "Block::operator-", "Block::in_units_of", "ShininessWindow::build", "ShininessShared::build", "shininess", "transpose"}
+BESIDE = {"as_factor", "sin", "cos", "Block::operator-", "Block::in_units_of", "ShininessWindow::build", "ShininessShared::build", "shininess"}
 
 
 class Tree:
@@ -48,13 +48,14 @@ class Tree:
             has_body = any(part.get("kind") == "CompoundStmt" for part in inner)
             if is_written and has_body and access != "private" and not HIDDEN & set(scope) and self.header(file):
                 text = json.dumps([part for part in inner if part.get("kind") == "FullComment"])
-                key = (self.header(file), "::".join(scope[1:] + [name]))
-                self.found[key] = self.found.get(key, "") + text
+                self.found.setdefault((self.header(file), "::".join(scope[1:] + [name])), []).append(text)
         if kind == "UsingDecl" and self.header(file) and not HIDDEN & set(scope):
-            self.found.setdefault((self.header(file), name.split("::")[-1]), "")
+            self.found.setdefault((self.header(file), name.split("::")[-1]), [])
         if kind in ("NamespaceDecl", "CXXRecordDecl") and name:
             scope = scope + [name]
         own = "private" if kind == "CXXRecordDecl" and node.get("tagUsed") == "class" else "public"
+        if kind == "FunctionTemplateDecl":  # what follows its own function are instances of it
+            inner = [part for part in inner if part.get("kind") not in FUNCTIONS] + [part for part in inner if part.get("kind") in FUNCTIONS][:1]
         for part in inner:
             if part.get("kind") == "AccessSpecDecl":
                 own = part.get("access", own)
@@ -69,7 +70,7 @@ def functions(clang, includes):
         command = [clang, "-std=c++20", *(f"-I{include}" for include in includes), "-fsyntax-only", "-Xclang", "-ast-dump=json", str(source)]
         tree = Tree(includes)
         tree.walk(json.loads(subprocess.run(command, check=True, capture_output=True).stdout), [], "public")
-    return {key: text for key, text in tree.found.items() if key[0].startswith("num/")}
+    return {key: texts for key, texts in tree.found.items() if key[0].startswith("num/")}
 
 
 def measured(path):
@@ -83,12 +84,13 @@ def measured(path):
 
 def main(clang, bounds, *includes):
     known, bounded, mistakes = functions(clang, [str(pathlib.Path(include).resolve()) for include in includes]), measured(bounds), []
-    for (header, function), comment in known.items():
+    for (header, function), comments in known.items():
         if (header, function) not in bounded:
             mistakes.append(f"{header}: {function} has no bound: expected an entry in host_sim/bounds that measures it.")
-        elif bounded[header, function] > 0 and function not in BESIDE and not function.startswith("operator\"\"") and not all(word in comment for word in SAID):
-            missing = " and ".join(word for word in SAID if word not in comment)
-            mistakes.append(f"{header}: {function} errs, and its comment does not say {missing}.")
+        elif bounded[header, function] > 0 and function not in BESIDE and not function.startswith("operator\"\""):
+            for comment in comments:  # of every overload
+                if missing := " and ".join(word for word in SAID if word not in comment):
+                    mistakes.append(f"{header}: {function} errs, and a comment of it does not say {missing}.")
     for header, function in bounded:
         if header.startswith("num/") and not any(f == function for _, f in known):
             mistakes.append(f"{header}: {function} is measured, and there is no such function.")

@@ -12,11 +12,13 @@ TEST = re.compile(r"^\s*(?:TYPED_)?TEST(?:_F|_P)?\((\w+),\s*(\w+)\)", re.MULTILI
 
 
 def defined_tests(project):
-    """The names that a row may have: Suite.Name of the C++ tests, compile_fail.<file>, proof.<file>."""
+    """The names that a row may have: Suite.Name of the C++ tests, compile_fail.<file>, proof.<file>, fuzz.<file>, random_<file>."""
     tests = project / "tests"
     names = {f"{suite}.{name}" for source in tests.rglob("*.[ch]pp") for suite, name in TEST.findall(source.read_text())}
     names |= {f"compile_fail.{source.stem}" for source in (tests / "compile_fail").glob("*.cpp")}
     names |= {f"proof.{source.name.removesuffix('.gappa.in')}" for source in (tests / "proof").glob("*.gappa.in")}
+    names |= {f"fuzz.{source.stem.removeprefix('fuzz_')}" for source in (tests / "fuzz").glob("fuzz_*.cpp")}
+    names |= {source.stem for source in (tests / "fuzz").glob("random_*.cpp")}
     return names
 
 

@@ -150,6 +150,18 @@ constexpr Object at_vertices[] = {{.mesh = with_bits(14, 14), .material = {.spec
                                   {.mesh = with_bits(14, 14), .material = {.specular = white, .reflection = Reflection::phong}},
                                   {.mesh = with_bits(14, 14), .material = {.specular = white, .shading = Shading::flat}, .pose = of_all_sizes}};
 constexpr Camera local_camera{.eye = {1.5_q16, 0, 3}, .viewer = Viewer::local, .far_distance = smallest};
+constexpr int bits_of(int8_t texcoord_bits, uint8_t slope_bits) {
+    SlopeMap relief = relief_of_a_slope;
+    relief.fraction_bits = slope_bits;
+    Object o{.mesh = with_bits(14, texcoord_bits), .material = mapped};
+    o.material.bump = &relief;
+    const TextureLookup lookup(o, true);
+    return lookup.bits * 100 + lookup.slope_bits;
+}
+TEST(TinyFrame, BitsOfMapsOutsideTheirRangeAreTheNearest) {
+    EXPECT_AT_COMPILE_TIME(bits_of(-128, 0) == bits_of(0, 4) && bits_of(127, 255) == bits_of(15, 11) && bits_of(0, 4) != bits_of(15, 11));
+}
+
 constexpr Scene of_everything{.camera = local_camera, .lights = at_their_ends, .objects = mapped_wall, .background = blue},
     of_odd_normals{.camera = along_z, .lights = oblique, .objects = at_vertices, .background = blue};
 

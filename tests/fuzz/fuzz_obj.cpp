@@ -1,4 +1,5 @@
 // Bytes as an OBJ file: a model that is quantised, fitted and drawn, or a refusal.
+#include "firmware/runtime/fnv1a.hpp"
 #include "host_sim/engine/fit.hpp"
 #include "host_sim/model/obj_import.hpp"
 #include "tests/fuzz/contract.hpp"
@@ -28,9 +29,9 @@ void draw(const host::BakedModel& baked) {
 
 /// The fit draws a hundred frames: too many for every file.
 bool is_fitted(const uint8_t* data, std::size_t size) {
-    uint32_t hash = 2166136261u;
-    for (std::size_t i = 0; i < size; ++i) hash = (hash ^ data[i]) * 16777619u;
-    return (hash >> 16) % 64 == 0;
+    Fnv1a hash;
+    for (std::size_t i = 0; i < size; ++i) hash.add(data[i]);
+    return (hash.value >> 16) % 64 == 0;
 }
 
 }  // namespace

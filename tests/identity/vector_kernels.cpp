@@ -20,6 +20,11 @@ void run_vectors(const KernelRun& run) {
     run("cross_q16", [](Numbers& n) { const Both x{n.vec3(), n.vec3()}; return cross(x.a, x.b); });
 }
 
+void run_chords(const KernelRun& run) {
+    run("chord14", [](Numbers& n) { const Both x{n.unit14(), n.unit14()}; return detail::chord(x.a, x.b); });
+    run("chord30", [](Numbers& n) { const Both x{n.unit30(), n.unit30()}; return detail::chord(x.a, x.b); });
+}
+
 void run_angles(const KernelRun& run) {
     run("sincos", [](Numbers& n) { return sincos(n.angle()); });
     run("arctangent", [](Numbers& n) {

@@ -35,7 +35,7 @@ void print_numbers(int lowered_bits) {
 
     // A promise in units of 2^-32 of full scale, of which a level is 1/255; rounded down.
     const unsigned long long promise = (uint64_t{Tier::promise.to_exponent_128.micro} << 32) / 255'000'000;
-    print_claim("promise", promise, -32, lowered_bits);
+    std::printf("promise=%llub-32\n", promise);
     std::printf("promise_without_sum=%llub-32\n", promise - color_sum_max_error<Tier>);
 
     std::printf("rsqrt_49_max_error=%lub-32\n", static_cast<unsigned long>(rsqrt_49_max_error));

@@ -5,16 +5,17 @@
 #include <string>
 #include <vector>
 
+#include "firmware/runtime/fnv1a.hpp"
 #include "host_sim/engine/turntable.hpp"
 #include "host_sim/scene_file/loaded_scene.hpp"
 
 namespace shade16::host {
 
-/// FNV-1a over a frame's bytes, as firmware/runtime/hash_sink.hpp has it.
+/// Of a frame's bytes, as firmware/runtime/hash_sink.hpp has it.
 inline uint32_t hash_of(const std::vector<uint8_t>& bytes) {
-    uint32_t hash = 2166136261u;
-    for (const uint8_t byte : bytes) hash = (hash ^ byte) * 16777619u;
-    return hash;
+    Fnv1a hash;
+    for (const uint8_t byte : bytes) hash.add(byte);
+    return hash.value;
 }
 
 /// A line "frame 0 0123abcd" a frame: four moments of the animation, or one where nothing turns.

@@ -101,6 +101,7 @@ TYPED_TEST(Lamp, ShinesInACone) {
     EXPECT_NEAR(this->at(spot_at_angle(40, 60, 50)), 1, this->rounding()) << "inner is clamped to outer";
     EXPECT_EQ(this->at(spot_at_angle(51, 60, 50)), 0);
     EXPECT_EQ(this->at(spot_at_angle(170, 0, 90)), 0) << "behind it";
+    for (const double angle : {0.0, 1.0}) EXPECT_EQ(this->at(spot_at_angle(angle, 0, 0)), 0) << "a cone of 0 lights nothing, at " << angle;
     EXPECT_EQ(this->at(spot_light(ahead, {.direction = {0, 0, 0}})), 0) << "an axis without a direction lights nothing";
 }
 

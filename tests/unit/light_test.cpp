@@ -25,6 +25,8 @@ TYPED_TEST(Lit, NoLightIsBlack) {
     EXPECT_TRUE(is_black(lit<TypeParam>({})));
     EXPECT_TRUE(is_black(lit<TypeParam>({.lights = {directional_light({0, 0, 1}, black)}})));
     EXPECT_TRUE(is_black(lit<TypeParam>({.lights = {directional_light({0, 0, 1}, white, Scaled{})}})));
+    const Accumulator glows = lit<TypeParam>({.material = {.emissive = white}});
+    EXPECT_TRUE(are_equal(glows, {Accumulator::one, Accumulator::one, Accumulator::one})) << "what is emitted, alone";
 }
 
 TYPED_TEST(Lit, LightFromBehindIsZeroAndNotNegative) {

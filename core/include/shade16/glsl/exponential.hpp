@@ -12,7 +12,7 @@ inline constexpr Ulps exp2_max_error = 0.501_ulps;
 inline constexpr Ulps exp_max_error = 0.501_ulps;
 inline constexpr Ulps log2_max_error = 0.501_ulps;
 inline constexpr Ulps log_max_error = 0.501_ulps;
-inline constexpr Ulps pow_max_error = 0.6_ulps;
+inline constexpr Ulps pow_max_error = 0.68_ulps;
 
 /// The square root.
 /// Range   any; a negative number has the root 0.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "shade16/num/channels.hpp"
+#include "shade16/num/ulps.hpp"
 
 namespace shade16 {
 
@@ -34,12 +35,13 @@ SHADE16_INLINE constexpr uint32_t scaled_term(uint32_t product, int shift) {
     return leading_zeros(product) >= -shift || product == 0 ? product << min(-shift, 31) : UINT32_MAX;
 }
 
-inline constexpr int as_accumulator_max_error = 1;  // of 2^-24
+inline constexpr Ulps as_accumulator_max_error = 1.002_ulps;  // of 2^-24; of a luma, which errs itself, a little more than a unit
 
 /// A colour as the accumulator holds it: 65535 becomes exactly 1.0.
 /// Range   any.  Error  as_accumulator_max_error.  Cost  two shifts and two additions a channel; of a luma, that of luma_of.
 /// Source  c 2^24 / 65535 = c (2^8 + 2^-8 + ..), and a last bit that makes 65535 exactly 1.0.
 constexpr uint32_t as_accumulator(Unorm16 c) { return (uint32_t{c.raw} << 8) + (c.raw >> 8) + (c.raw >> 15); }
+/// Of each channel, or of the luma alone.  Range, Error, Cost, Source  as above.
 template <Channels C = Channels::rgb>
 constexpr AccumulatorOf<C> as_accumulator(Rgb c) {
     if constexpr (C == Channels::rgb) {

@@ -49,7 +49,7 @@ inline constexpr Ulps sincos_max_error = 1.26_ulps;  // of Q30: 1.2e-9
 /// sine and cosine.
 /// Range   any angle.
 /// Error   at most sincos_max_error; exact at multiples of a quarter turn.
-/// Cost    13 high multiplies.
+/// Cost    17 high words and three long multiplies.
 /// Source  Taylor series in Horner form on [-1/8, 1/8] turn, after folding by quarter turns.
 SHADE16_ONCE constexpr SinCos sincos(Angle angle) {
     constexpr uint32_t pi_q30 = 0xC90FDAA2, one = uint32_t{1} << 31;

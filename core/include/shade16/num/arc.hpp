@@ -7,11 +7,12 @@
 
 namespace shade16 {
 
-inline constexpr int32_t arctangent_max_error_log2 = -30;  // of a turn, for x^2 + y^2 = 1 within 2^-12
+inline constexpr Ulps arc_angle_max_error = 8_ulps;  // of 2^-32 turn
+inline constexpr Ulps arctangent_max_error = 2.5_ulps;  // of 2^-32 turn
 
 /// The angle of a unit vector (x, y), y >= 0, from 0 to half a turn; 0 for (0, 0).
-/// Range   x^2 + y^2 = 1 within 2^-12, y >= 0; a negative y counts as 0.
-/// Error   2^arctangent_max_error_log2 turn.  Cost  a reciprocal, a sine and a cosine.
+/// Range   x^2 + y^2 = 1 within 2^-27, what rounding leaves; a negative y counts as 0.
+/// Error   arctangent_max_error.  Cost  a reciprocal, a sine and a cosine.
 /// Source  Abramowitz and Stegun 4.4.47 (off 6e-4 rad), and one Newton step on sin(a - a0) = y cos a0 - x sin a0.
 SHADE16_ONCE constexpr Angle arctangent(Q30 y, Q30 x) {
     const uint32_t up = magnitude(max(y.raw, int32_t{0})), along = magnitude(x.raw);
@@ -35,23 +36,27 @@ SHADE16_ONCE constexpr Angle arctangent(Q30 y, Q30 x) {
 inline constexpr Ulps arc_max_error = 32_ulps;  // of Q30, the whole vector: 3e-8; beyond a radian divided by sin(angle)
 
 /// The shorter arc of a great circle between two unit vectors. Opposite ones choose no plane: the arc then leads over the
-/// axis that is farthest from them, x before y before z. Equal ones, or a zero one, make a point.
+/// axis that is farthest from them, x before y before z. Equal ones, or a zero second one, make a point.
 class Arc {
 public:
     constexpr Arc() = default;
     constexpr Arc(const Normal30& a, const Normal30& b) : from_(a) {
         const int32_t cosine = as_q30(dot(a, b));
-        const IVec3 rest = off(b, a), plane = off(normalize_finely(rest), a);  // twice, for what rounding left where there is hardly any
+        const IVec3 rest = off(b, a);
+        const IVec3 plane = off(normalize_finely(rest), a);  // twice, for what rounding left where there is hardly any
         // Of equal and of opposite vectors nothing remains, or what their lengths err by, which lies along a.
         const bool is_point = detail::magnitudes(plane) >> 27 == 0;
         if (!is_point) across_ = normalize_finely(plane);
         else if (cosine < 0) across_ = perpendicular(a);
         angle_ = is_point ? Angle{cosine < 0 ? uint32_t{1} << 31 : 0} : arctangent(length(rest), Q30{cosine});
     }
+    /// Between the two.  Range  0 to half a turn.  Error  arc_angle_max_error.
+    /// Cost    none: made with the arc.  Source  the arctangent of |b off a| and a.b.
     constexpr Angle angle() const { return angle_; }
 
     /// The unit vector at t, Q30 from 0 to 1: cos(t angle) a + sin(t angle) p, p being perpendicular to a in the arc's plane.
-    /// Range   t from 0 to 1.  Error  arc_max_error.  Cost  sincos and six long multiplies.  Source  an orthonormal pair in the arc's plane.
+    /// Range   t from 0 to 1.  Error  arc_max_error.  Cost  sincos and six long multiplies.
+    /// Source  an orthonormal pair in the arc's plane.
     /// Nothing is divided by sin(angle), and both ends of its range, 0 and half a turn, are as good as the middle.
     constexpr IVec3 at(int32_t t) const {
         const SinCos w = sincos({static_cast<uint32_t>(multiply(angle_.turns, static_cast<uint32_t>(t)) >> 30)});

@@ -3,11 +3,14 @@
 
 #include "shade16/num/mat.hpp"
 #include "shade16/num/reciprocal.hpp"
+#include "shade16/num/ulps.hpp"
 
 namespace shade16 {
 
 /// Relative errors; a sum's of its larger operand, a rotation's of its largest component.
-inline constexpr int block_shortened_max_error_log2 = -31, block_product_max_error_log2 = -31, block_sum_max_error_log2 = -60, block_rotation_max_error_log2 = -29;
+inline constexpr int block_shortened_max_error_log2 = -31, block_product_max_error_log2 = -31;
+inline constexpr int block_sum_max_error_log2 = -60, block_rotation_max_error_log2 = -29;
+inline constexpr Ulps block_units_max_error = 0.5_ulps;  // of Block::in_units_of, in its units
 
 /// The number mantissa * 2^exponent.
 struct Block {
@@ -20,19 +23,21 @@ struct Block {
         const int excess = 33 - leading_zeros(magnitude(mantissa));
         return excess > 0 ? Block{shift_right_round(mantissa, excess), exponent + excess} : *this;
     }
-    /// The smallest p for which |number| <= 2^p; very small for 0.
+    /// The smallest p for which |number| < 2^p; -1000 for 0, which is below every number of interest.
     constexpr int32_t top() const { return mantissa == 0 ? -1000 : 64 - leading_zeros(magnitude(mantissa)) + exponent; }
-    /// The number in units of 2^unit, rounded and saturated to 32 bits: off by half a unit at most.
+    /// The number in units of 2^unit, rounded and saturated to 32 bits. Error: block_units_max_error.
     constexpr int32_t in_units_of(int32_t unit) const { return scale_by_power_of_two(mantissa, exponent - unit); }
 
     /// The product.
-    /// Range   any.  Error  block_product_max_error_log2.  Cost  shortened and a long multiply.  Source  mantissas multiplied, exponents added.
+    /// Range   any.  Error  block_product_max_error_log2.  Cost  shortened and a long multiply.
+    /// Source  mantissas multiplied, exponents added.
     SHADE16_ONCE friend constexpr Block operator*(Block a, Scaled b) {
         const Block s = a.shortened();
         return {multiply(static_cast<int32_t>(clamp<int64_t>(s.mantissa, INT32_MIN, INT32_MAX)), b.mantissa), s.exponent + b.exponent - 32};
     }
     /// The sum.
-    /// Range   any.  Error  block_sum_max_error_log2, of the larger.  Cost  two 64-bit shifts.  Source  both aligned three bits below the top of 64.
+    /// Range   any.  Error  block_sum_max_error_log2, of the larger.  Cost  two 64-bit shifts.
+    /// Source  both aligned three bits below the top of 64.
     SHADE16_ONCE friend constexpr Block operator+(Block a, Block b) {
         if (a.mantissa == 0) return b;
         if (b.mantissa == 0) return a;
@@ -44,7 +49,8 @@ struct Block {
         };
         return {aligned(a) + aligned(b), unit};
     }
-    friend constexpr Block operator-(Block a) { return {-a.mantissa, a.exponent}; }
+    /// Range   mantissas above INT64_MIN, which no operation makes; that one stays.
+    friend constexpr Block operator-(Block a) { return {static_cast<int64_t>(0 - static_cast<uint64_t>(a.mantissa)), a.exponent}; }
     friend constexpr Block operator-(Block a, Block b) { return a + -b; }
 };
 
@@ -66,7 +72,7 @@ SHADE16_ONCE constexpr BlockVector component_product(Vec3 a, Vec3 b) {
 }
 
 /// m * v.
-/// Range   any v.  Error  block_rotation_max_error_log2.  Cost  nine long multiplies.  Source  v in units of its largest component.
+/// Range   exponents above -1000.  Error  block_rotation_max_error_log2.  Cost  nine long multiplies.  Source  v in units of its largest component.
 SHADE16_ONCE constexpr BlockVector operator*(const Mat3& m, const BlockVector& v) {
     const int32_t unit = v.top() - 30;
     const IVec3 mantissas = v.in_units_of(unit);

@@ -9,8 +9,9 @@ namespace shade16 {
 void literal_has_a_character_that_is_neither_a_digit_nor_a_point();
 void literal_is_out_of_range_for_its_type();
 
-/// Range   up to `limit`, else it does not compile.  Error  half a unit.  Cost  none: while compiling.  Source  digit by digit.
 /// round(text * scale), half up, for `12`, `12.5` and `1'000.25`; digits after the ninth decimal are ignored.
+/// Range   up to `limit`, else it does not compile.
+/// Error   half a unit; with more than nine decimals up to scale * 1e-9 more.  Cost  none: while compiling.  Source  digit by digit.
 /// Clang 14 calls the literals of a template's body at run time, and does not link: name them as constexpr variables.
 consteval uint64_t parse_decimal(const char* text, uint64_t scale, uint64_t limit) {
     uint64_t whole = 0, fraction = 0, unit = 1;

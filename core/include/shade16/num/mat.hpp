@@ -45,6 +45,7 @@ SHADE16_ONCE constexpr IVec3 rotate(const Mat3& m, IVec3 v, int extra_bits = 0) 
     return {component(m.row[0]), component(m.row[1]), component(m.row[2])};
 }
 
+/// m * v.  Range  any v.  Error  rotate_max_error, of Q16.  Cost, Source  rotate.
 constexpr Vec3 operator*(const Mat3& m, Vec3 v) {
     const IVec3 r = rotate(m, raw(v));
     return {Q16::from_raw(r.x), Q16::from_raw(r.y), Q16::from_raw(r.z)};
@@ -71,7 +72,9 @@ struct Mat3x4 {
     friend constexpr bool operator==(const Mat3x4&, const Mat3x4&) = default;
 };
 
+/// A point, moved.  Range  any; saturates.  Error  that of rotate.  Cost, Source  rotate.
 constexpr Vec3 operator*(const Mat3x4& m, Vec3 v) { return m.rotation * v + m.translation; }
+/// First b, then a.  Range  any; saturates.  Error, Cost, Source  those of both products.
 constexpr Mat3x4 operator*(const Mat3x4& a, const Mat3x4& b) { return {a.rotation * b.rotation, a * b.translation}; }
 inline constexpr Ulps inverse_max_error = 3_ulps;  // of Q16, there and back again
 

@@ -19,7 +19,7 @@ SHADE16_INLINE constexpr uint32_t magnitudes(IVec3 v) { return magnitude(v.x) | 
 }  // namespace detail
 
 /// Errors of a component: of Unit14 with the table of 97 and with that of 49, and of Q30.
-inline constexpr Ulps normalize14_max_error = 2_ulps, normalize14_small_max_error = 4_ulps, normalize30_max_error = 62_ulps;
+inline constexpr Ulps normalize14_max_error = 1.76_ulps, normalize14_small_max_error = 3.75_ulps, normalize30_max_error = 62_ulps;
 /// Of the direction: a component is rounded when it is shifted and when it is multiplied, sqrt(3) (0.5 + 0.5), in 32 bits
 /// sqrt(3) (1 + 0.5); the length's error does not turn the vector.
 inline constexpr Ulps normalize14_max_angle = 1.733_ulps, normalize30_max_angle = 2.599_ulps;

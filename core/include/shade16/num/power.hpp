@@ -2,7 +2,6 @@
 #pragma once
 
 #include "shade16/num/rsqrt.hpp"
-#include "shade16/num/ulps.hpp"
 
 namespace shade16 {
 
@@ -20,10 +19,9 @@ struct RootsOfHalf {
     }
 };
 inline constexpr RootsOfHalf roots_of_half{};
-inline constexpr Ulps roots_of_half_max_error = 2_ulps;  // of 2^-64, floors of roots of floors
 }  // namespace detail
 
-inline constexpr int negative_log2_max_error_log2 = -45, exp2_negative_max_error_log2 = -32, power_of_complement_max_error_log2 = -31;
+inline constexpr int negative_log2_max_error_log2 = -47, exp2_negative_max_error_log2 = -32, power_of_complement_max_error_log2 = -32;
 
 /// -log2(x / 2^64) as Q48.
 /// Range   x > 0.  Error  negative_log2_max_error_log2.  Cost  48 64-bit multiplies.  Source  bit by bit: squaring doubles a logarithm.
@@ -63,8 +61,8 @@ constexpr uint32_t exp2_negative(uint64_t t) {
 /// t * n for a Q48 logarithm and a Q16 exponent, saturated.
 constexpr uint64_t times_q16(uint64_t t, uint32_t n) {
     const uint64_t high = multiply(static_cast<uint32_t>(t >> 32), n), low = multiply(static_cast<uint32_t>(t), n);
-    if (high >> 47) return UINT64_MAX;
-    return (high << 16) + (low >> 16);
+    const uint64_t product = (high << 16) + (low >> 16);
+    return high >> 48 != 0 || product < high << 16 ? UINT64_MAX : product;
 }
 
 /// (1 - u)^n as Q32, for u in Q32 and n in Q16; at most 2^32 - 1.

@@ -44,7 +44,7 @@ SHADE16_INLINE constexpr uint32_t reciprocal_linear(uint32_t x) {
 /// 2^63 / x.
 /// Range   a normalised x, in [2^31, 2^32).
 /// Error   reciprocal_max_error, proved in tests/proof; never past the last word.
-/// Cost    one table read and three multiplies: M3 32 cycles, M0+ 89 (prototype figures).
+/// Cost    two table reads and three multiplies: M3 32 cycles, M0+ 89 (prototype figures).
 /// Source  Newton: r' = r (2 - x r).
 SHADE16_INLINE constexpr uint32_t reciprocal_of_normalized(uint32_t x) {
     const uint32_t r = detail::reciprocal_linear(x);

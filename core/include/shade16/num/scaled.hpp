@@ -16,7 +16,7 @@ struct Scaled {
     int16_t exponent = 0;
 
     /// value * 2^exponent_of_bit_0, its mantissa rounded half up.
-    /// Range   any; 0 has one form, exponents are held to 16 bits.  Error  scaled_product_max_error_log2.
+    /// Range   any value, exponents up to 2^30; 0 has one form, and exponents are held to 16 bits.  Error  scaled_product_max_error_log2.
     /// Cost    a count of zeros and a 64-bit shift.  Source  the top 32 bits, and the carry of their rounding.
     SHADE16_ONCE static constexpr Scaled normalized(uint64_t value, int32_t exponent_of_bit_0) {
         if (value == 0) return {};

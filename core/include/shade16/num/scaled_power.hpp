@@ -29,7 +29,10 @@ struct MiddleExpTable {
 inline constexpr MiddleLogTable middle_log_table{};
 inline constexpr MiddleExpTable middle_exp_table{};
 
-/// log2(x / 2^31) as Q32, for x with its top bit set. Error: 2^-30.9.
+inline constexpr uint32_t log2_of_normalized_max_error = 3;  // of 2^-32
+inline constexpr uint32_t scaled_exp2_of_fraction_max_error = 8;  // relative, of 2^-32
+
+/// log2(x / 2^31) as Q32, for x with its top bit set. Error: log2_of_normalized_max_error.
 /// Source  log2(x) = log2(c) + log2(1 + r), r = x/c - 1, |r| <= 1/65, and the series of the logarithm to r^4.
 constexpr int64_t log2_of_normalized(uint32_t x) {
     constexpr int32_t third = 0x2AAAAAAB, half = 0x40000000, inverse_ln2_q30 = 0x5C551D95;
@@ -40,7 +43,7 @@ constexpr int64_t log2_of_normalized(uint32_t x) {
     return int64_t{middle_log_table.log[i]} + ((mulhi(natural, inverse_ln2_q30) + 4) >> 3);
 }
 
-/// 2^(f / 2^32) as a Scaled. Error: relative 2^-29.
+/// 2^(f / 2^32) as a Scaled. Error: scaled_exp2_of_fraction_max_error.
 /// Source  2^f = 2^c 2^g, |g| <= 1/64, and the exponential series to g^3.
 constexpr Scaled scaled_exp2_of_fraction(uint32_t f) {
     constexpr uint32_t ln2_q32 = 0xB17217F8;
@@ -59,7 +62,7 @@ inline constexpr uint32_t scaled_power_max_error = 2048, scaled_power_max_error_
 /// x^p, p = exponent / 2^fraction_bits.
 /// Range   x > 0, fraction_bits up to 31; 0 gives 0 for a positive exponent and the largest Scaled for a negative one.
 /// Error   relative 2^-29 + |p| 2^-31.4: scaled_power_max_error and scaled_power_max_error_each.
-/// Cost    three long multiplies and eleven high words.
+/// Cost    three long multiplies and nine high words.
 /// Source  x^p = 2^(p log2 x), the logarithm and the power by a table of 32 middles and a short series each.
 SHADE16_ONCE constexpr Scaled power(Scaled x, int32_t exponent, int fraction_bits) {
     if (x.is_zero()) return exponent > 0 ? Scaled{} : Scaled{UINT32_MAX, INT16_MAX};

@@ -43,8 +43,8 @@ struct ExpTable {
         y[128] = y[0] >> 1;  // where one octave meets the next: 42 units less, and the power would rise there
     }
 };
-/// Of an entry, in its units: a power and a second difference are rounded before they are summed.
-inline constexpr Ulps shared_table_max_error = 1.4_ulps;
+/// Of an entry, in its units, whose power and whose second difference are whole numbers before they are summed.
+inline constexpr Ulps shared_table_max_error = 0.5_ulps;
 inline constexpr LogTable log_table{};
 inline constexpr ExpTable exp_table{};
 

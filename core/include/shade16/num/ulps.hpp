@@ -15,6 +15,9 @@ consteval Ulps operator""_ulps(const char* digits) {
     return {static_cast<uint32_t>(parse_decimal(digits, 1000, 1'000'000))};
 }
 
+/// A literal with up to nine decimals, in units of its type; an angle in degrees is scaled twice.
+inline constexpr Ulps literal_max_error = 0.5_ulps, degrees_literal_max_error = 0.502_ulps;
+
 /// An entry of any table, in units of its last place: rounded from a number with guard bits.
 inline constexpr Ulps table_max_error = 0.501_ulps;
 

@@ -29,25 +29,26 @@ constexpr IVec3 raw(Normal14 v) { return {v.x.raw, v.y.raw, v.z.raw}; }
 constexpr IVec3 raw(Normal30 v) { return {v.x.raw, v.y.raw, v.z.raw}; }
 
 /// a.b of two unit vectors as a Q28 number.
-/// Range   |a|, |b| <= 1.001, else the sum may leave 32 bits.  Error  none.  Cost  3 multiplies.
+/// Range   |a|, |b| <= 1.001, else the sum may leave 32 bits.  Error  none.  Cost  3 multiplies.  Source  the sum of products.
 SHADE16_INLINE constexpr int32_t dot(Normal14 a, Normal14 b) {
     return int32_t{a.x.raw} * b.x.raw + int32_t{a.y.raw} * b.y.raw + int32_t{a.z.raw} * b.z.raw;
 }
 
 /// a.b of two unit vectors as a Q60 number.
-/// Range   any.  Error  none.
+/// Range   |a| |b| < 8; beyond that modulo 2^64.  Error  none.  Cost  three long multiplies.  Source  the sum of products.
 constexpr int64_t dot(Normal30 a, Normal30 b) {
-    return multiply(a.x.raw, b.x.raw) + multiply(a.y.raw, b.y.raw) + multiply(a.z.raw, b.z.raw);
+    const auto product = [](Q30 p, Q30 q) { return static_cast<uint64_t>(multiply(p.raw, q.raw)); };
+    return static_cast<int64_t>(product(a.x, b.x) + product(a.y, b.y) + product(a.z, b.z));
 }
 
 inline constexpr Ulps vec3_dot_max_error = 0.501_ulps, vec3_cross_max_error = 0.501_ulps;
 
 /// a.b, one rounding at the end, saturated.
-/// Range   any: the three products are summed in 64 bits after one halving, so that full-range operands fit.
-/// Error   vec3_dot_max_error.  Cost  three long multiplies.  Source  each product less two bits.
+/// Range   any; saturates: the three products are summed in 64 bits, less two bits each, so that full-range operands fit.
+/// Error   vec3_dot_max_error.  Cost  three long multiplies.  Source  one rounding of the sum.
 constexpr Q16 dot(Vec3 a, Vec3 b) {
-    const int64_t half_sum = (multiply(a.x.raw, b.x.raw) >> 2) + (multiply(a.y.raw, b.y.raw) >> 2) + (multiply(a.z.raw, b.z.raw) >> 2);
-    return Q16::from_raw(saturate(shift_right_round(half_sum, 14)));
+    const int64_t quarter_sum = (multiply(a.x.raw, b.x.raw) >> 2) + (multiply(a.y.raw, b.y.raw) >> 2) + (multiply(a.z.raw, b.z.raw) >> 2);
+    return Q16::from_raw(saturate(shift_right_round(quarter_sum, 14)));
 }
 
 /// a x b, each component with one rounding, saturated.

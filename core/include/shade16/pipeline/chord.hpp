@@ -13,10 +13,11 @@ SHADE16_INLINE constexpr uint32_t chord_of_difference(int32_t x, int32_t y, int3
     return static_cast<uint32_t>(min<uint64_t>(squared >> 27, UINT32_MAX));
 }
 
-inline constexpr int wide_chord_max_error = 20;  // of 2^-32, where u is 1; else times sqrt(u): differences are halved
+/// Of 2^-32, times sqrt(u), because differences are halved; and a unit.
+inline constexpr int wide_chord_max_error = 10;
 
 /// u = |N - H|^2 / 2 = 1 - N.H, from the chord: lengths err only relative to u, and sharp highlights stay exact.
-/// Range   unit vectors; Q29 from 16-bit ones, Q32 from 32-bit ones, saturated. A stored normal longer than 1 is defined, modulo 2^32.
+/// Range   unit vectors; Q29 from 16-bit ones, Q32, saturated, from 32-bit ones. A stored normal longer than 1 is defined, modulo 2^32.
 /// Error   none from 16-bit vectors, wide_chord_max_error from 32-bit ones.  Cost  three multiplies.
 /// Source  R. F. Lyon, Phong Shading Reformulation for Hardware Renderer Simplification, 1993.
 SHADE16_INLINE constexpr uint32_t chord(const Normal14& a, const Normal14& b) {

@@ -18,6 +18,7 @@ constexpr bool is_shaped(const Light& light) {
 inline constexpr uint32_t range_guard = 64;
 inline constexpr int cone_guard_log2 = -27;
 inline constexpr uint32_t range_max_error = 2 * range_guard + 4;  // of 2^-32: what the guard takes of a square, and rounding
+inline constexpr uint32_t cone_max_error = 10;                   // of 2^-32, of the smoothstep
 
 /// 1 - cos by the chord, with all its digits, Q61: a cone of 2 degrees is 6e-4 of it.
 /// Range   unit vectors; 1, for everything behind.  Error  none beyond the vectors'.  Cost  a dot and three long multiplies.
@@ -65,7 +66,7 @@ struct LampShape {
     }
 
     /// What arrives in the direction of a point.
-    /// Range   u from 0 to 1; nothing from the outer angle on.  Error  3e-8 / (outer - inner, in radians).
+    /// Range   u from 0 to 1; nothing from the outer angle on.  Error  cone_max_error, and of an exponent that of its power.
     /// Cost    four long multiplies, and a power where there is an exponent.  Source  smoothstep of the cosine, and cos^e.
     template <Needs N>
     SHADE16_INLINE constexpr Scaled in_cone(uint64_t u) const {
@@ -84,7 +85,7 @@ struct LampShape {
 namespace detail {
 /// All factors of a lamp's shape at the end of a vector that `towards` gave; zero where none of its light arrives.
 /// Range   any vector.
-/// Error   relative to the same without a cone 2^-24, and at a cone's edges 3e-8 / (outer - inner, in radians).
+/// Error   those of both factors; and what two rounded directions turn of a cone.
 /// Cost    for a range two long multiplies, for a cone a square root with two Newton steps, for a power see scaled_power.hpp.
 /// Source  the product of LampShape::at_distance and LampShape::in_cone.
 template <Needs N>

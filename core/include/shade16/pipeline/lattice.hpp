@@ -22,7 +22,7 @@ struct Stretch {
     bool differs = false;  // by axis
 };
 
-inline constexpr uint32_t attenuation_max_error = 260;  // relative, of 2^-32: a root, two sums and a reciprocal
+inline constexpr uint32_t attenuation_max_error = scaled_sqrt_max_error + reciprocal_max_error + 6;  // relative, of 2^-32: two sums, a product
 
 /// A point light's attenuation in powers of a distance in units of its LatticePoint.
 struct LatticeAttenuation {

@@ -15,7 +15,7 @@ struct SurfacePoint {
 };
 
 /// What the products and sums of light add to the errors of N.L and of the power, which the rest of the promise is for. In units of
-/// 2^-32, for one light at intensity 1 or less; of a stronger one times the next power of two. Proved in tests/proof.
+/// 2^-32, for one light at intensity 1 or less; of a stronger one times the next power of two. Proved in tests/proof for three channels.
 template <PrecisionTier Tier>
 inline constexpr uint32_t light_term_max_error = Arithmetic<Tier>::wide ? 262 : 33'029;  // of diffuse or specular light alone
 template <PrecisionTier Tier>
