@@ -2,6 +2,7 @@
 #include "shade16/num/arc.hpp"
 #include "shade16/num/block.hpp"
 #include "shade16/num/mat.hpp"
+#include "shade16/pipeline/chord.hpp"
 
 #include "tests/identity/kernels.hpp"
 

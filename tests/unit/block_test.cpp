@@ -75,6 +75,13 @@ TEST(Block, SumsOfVeryDifferentNumbersKeepTheLarger) {
     EXPECT_EQ(value_of(small - Block{}), value_of(small));
 }
 
+TEST(Block, SumsRoundWhatIsSixtyThreeBitsBelow) {
+    constexpr Block large{INT64_C(1) << 62, 0}, nearly_four{INT64_MAX, -61}, nearly_two{INT64_MAX, -62};
+    static_assert((large + nearly_four).mantissa == (INT64_C(1) << 60) + 1 && (large + nearly_four).exponent == 2);
+    static_assert((large - nearly_four).mantissa == (INT64_C(1) << 60) - 1);
+    static_assert((large + nearly_two).mantissa == INT64_C(1) << 60);
+}
+
 TEST(BlockVector, ComponentProductIsExact) {
     constexpr Vec3 a{1.5_q16, -2, Q16::from_raw(INT32_MIN)}, b{-3, 0.25_q16, Q16::from_raw(INT32_MIN)};
     constexpr BlockVector product = component_product(a, b);

@@ -7,8 +7,9 @@
 
 namespace shade16 {
 
-inline constexpr Ulps arc_angle_max_error = 8_ulps;  // of 2^-32 turn
 inline constexpr Ulps arctangent_max_error = 2.5_ulps;  // of 2^-32 turn
+// Of 2^-32 turn: the root's scaled_sqrt_max_error times sin cos / 2 pi, at most 19.3, the arctangent's 2.5, and five roundings.
+inline constexpr Ulps arc_angle_max_error = 23_ulps;
 
 /// The angle of a unit vector (x, y), y >= 0, from 0 to half a turn; 0 for (0, 0).
 /// Range   x^2 + y^2 = 1 within 2^-27, what rounding leaves; a negative y counts as 0.

@@ -45,7 +45,7 @@ struct Block {
         const auto aligned = [unit](Block x) {
             const int32_t shift = x.exponent - unit;
             if (shift >= 0) return static_cast<int64_t>(static_cast<uint64_t>(x.mantissa) << shift);
-            return shift > -63 ? shift_right_round(x.mantissa, static_cast<int>(-shift)) : 0;
+            return shift > -64 ? shift_right_round(x.mantissa, static_cast<int>(-shift)) : 0;
         };
         return {aligned(a) + aligned(b), unit};
     }
