@@ -87,7 +87,7 @@ void run_blocks(const KernelRun& run) {
 
 void say_vector_kernels(Inputs inputs) {
     const KernelRun run("vector", inputs);
-    run_vectors(run), run_angles(run), run_matrices(run), run_blocks(run);
+    run_vectors(run), run_chords(run), run_angles(run), run_matrices(run), run_blocks(run);
 }
 
 }  // namespace shade16::identity
