@@ -26,6 +26,10 @@ foreach(group IN ITEMS unit accuracy raster system proof extremes)
   if(sources)
     shade16_add_test(${group}_tests ${group} ${sources})
   endif()
+  list(LENGTH sources source_count)
+  if(source_count GREATER 10)  # GoogleTest takes two seconds to read
+    target_precompile_headers(${group}_tests PRIVATE <gtest/gtest.h>)
+  endif()
 endforeach()
 
 # What must hold for any numbers, where RapidCheck is there to look for those for which it does not.
