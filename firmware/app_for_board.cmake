@@ -11,7 +11,7 @@ target_link_options(shade16_board INTERFACE
   LINKER:--script=${CMAKE_CURRENT_SOURCE_DIR}/runtime/sections.ld)
 target_link_libraries(shade16_board INTERFACE shade16::core)
 
-add_library(shade16_runtime OBJECT runtime/startup_arm.cpp runtime/board_memory.cpp runtime/memory_functions.cpp
+add_library(shade16_runtime OBJECT runtime/startup_${BOARD_STARTUP}.cpp runtime/board_memory.cpp runtime/memory_functions.cpp
                                    runtime/console.cpp runtime/console_semihosting.cpp runtime/semihosting.cpp)
 target_link_libraries(shade16_runtime PUBLIC shade16_board PRIVATE shade16_warnings)
 set_source_files_properties(runtime/memory_functions.cpp PROPERTIES

@@ -9,11 +9,33 @@ constexpr uint32_t sys_write0 = 0x04;
 constexpr uint32_t sys_exit_extended = 0x20;
 constexpr uint32_t application_exit = 0x20026;
 
+#if defined(__riscv)
+void call(uint32_t operation, const void* argument) {
+    register uint32_t a0 asm("a0") = operation;
+    register const void* a1 asm("a1") = argument;
+    // Three uncompressed instructions within 16 bytes: that is how an emulator tells a call from a breakpoint.
+    asm volatile(".option push\n.option norvc\n.balign 16\n"
+                 "slli x0, x0, 0x1f\n"
+                 "ebreak\n"
+                 "srai x0, x0, 7\n"
+                 ".option pop\n"
+                 : "+r"(a0)
+                 : "r"(a1)
+                 : "memory");
+}
+#elif defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M'
 void call(uint32_t operation, const void* argument) {
     register uint32_t r0 asm("r0") = operation;
     register const void* r1 asm("r1") = argument;
     asm volatile("bkpt 0xab" : "+r"(r0) : "r"(r1) : "memory", "cc");
 }
+#else
+void call(uint32_t operation, const void* argument) {
+    register uint32_t r0 asm("r0") = operation;
+    register const void* r1 asm("r1") = argument;
+    asm volatile("svc 0x123456" : "+r"(r0) : "r"(r1) : "memory", "lr", "cc");
+}
+#endif
 
 }  // namespace
 

@@ -1,5 +1,5 @@
 // Semihosting: the program asks the debugger, or the emulator, to print for it and to end it.
-// Source: "Semihosting for AArch32 and AArch64", Arm.
+// Source: "Semihosting for AArch32 and AArch64", Arm; "RISC-V Semihosting", RISC-V International.
 #pragma once
 
 namespace shade16::semihosting {

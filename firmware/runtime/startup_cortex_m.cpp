@@ -1,14 +1,6 @@
 // From reset to main() on any Cortex-M, and one sentence when the processor faults.
-#include <stdint.h>
 #include <runtime/console.hpp>
-
-extern "C" {
-// Defined by sections.ld. Only their addresses mean anything.
-extern uint32_t shade16_data_load[], shade16_data_start[], shade16_data_end[];
-extern uint32_t shade16_bss_start[], shade16_bss_end[], shade16_stack_end[];
-extern void (*__init_array_start[])();
-extern void (*__init_array_end[])();
-}
+#include <runtime/variables.hpp>
 
 int main();
 
@@ -22,13 +14,6 @@ void enable_fpu() {
     coprocessor_access = coprocessor_access | (uint32_t{0xF} << 20);
     asm volatile("dsb\nisb");
 #endif
-}
-
-void initialise_variables() {
-    const uint32_t* from = shade16_data_load;
-    for (uint32_t* to = shade16_data_start; to < shade16_data_end;) *to++ = *from++;
-    for (uint32_t* to = shade16_bss_start; to < shade16_bss_end;) *to++ = 0;
-    for (auto constructor = __init_array_start; constructor != __init_array_end; ++constructor) (*constructor)();
 }
 
 }  // namespace
