@@ -19,6 +19,7 @@ struct Small {
     static constexpr VertexStore vertex_store = VertexStore::replay;
     static constexpr Mesh model = torus<24, 12>.mesh();
     static constexpr Q16 model_scale = 1;
+    static constexpr Rgb background = rgb(0x101820);
 
     HashSink display;
 };

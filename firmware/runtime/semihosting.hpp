@@ -5,6 +5,7 @@
 namespace shade16::semihosting {
 
 void write(const char* text);
+bool is_told(const char* word);  // whether the debugger passes it as the program's first argument
 [[noreturn]] void exit(int status);
 
 }  // namespace shade16::semihosting
