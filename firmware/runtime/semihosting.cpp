@@ -11,19 +11,15 @@ constexpr uint32_t sys_exit_extended = 0x20;
 constexpr uint32_t application_exit = 0x20026;
 
 #if defined(__riscv)
-uint32_t call(uint32_t operation, const void* argument) {
-    register uint32_t a0 asm("a0") = operation;
-    register const void* a1 asm("a1") = argument;
-    // Three uncompressed instructions within 16 bytes: that is how an emulator tells a call from a breakpoint.
-    asm volatile(".option push\n.option norvc\n.balign 16\n"
-                 "slli x0, x0, 0x1f\n"
-                 "ebreak\n"
-                 "srai x0, x0, 7\n"
-                 ".option pop\n"
-                 : "+r"(a0)
-                 : "r"(a1)
-                 : "memory");
-    return a0;
+// Three uncompressed instructions in a row: that is how an emulator tells a call from a breakpoint. It takes what it is called with from
+// the registers of a function's arguments.
+__attribute__((naked, noinline, aligned(16))) uint32_t call(uint32_t, const void*) {
+    asm(".option push\n.option norvc\n"
+        "slli x0, x0, 0x1f\n"
+        "ebreak\n"
+        "srai x0, x0, 7\n"
+        ".option pop\n"
+        "ret\n");
 }
 #elif defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M'
 uint32_t call(uint32_t operation, const void* argument) {
