@@ -1,3 +1,5 @@
+set(BOARD_CORE "Cortex-M3")
+set(BOARD_DISPLAY "SSD0323, 128x64, 16 greys, SSI")
 set(BOARD_TOOLCHAIN arm-none-eabi)
 set(BOARD_STARTUP cortex_m)
 set(BOARD_CPU_FLAGS -mcpu=cortex-m3 -mthumb)

@@ -1,3 +1,5 @@
+set(BOARD_CORE "Cortex-M0")
+set(BOARD_DISPLAY "none: frames are hashed")
 set(BOARD_TOOLCHAIN arm-none-eabi)
 set(BOARD_STARTUP cortex_m)
 set(BOARD_CPU_FLAGS -mcpu=cortex-m0 -mthumb)

@@ -17,14 +17,13 @@ function(shade16_has_scenes board result)
 endfunction()
 
 # Where an emulator shows the panel: the picture that an app leaves on it.
-function(shade16_screen_test name board host_program)
+function(shade16_screen_test board host_program)
   set(BOARD_SCREEN_BITS)
   include(${SHADE16_BOARDS_DIR}/${board}/board.cmake)
   if(BOARD_SCREEN_BITS)
-    list(JOIN BOARD_EMULATOR " " emulator)
-    list(JOIN BOARD_SCREEN_BITS " " bits)
-    shade16_add_script_test(${name}.${board} LABEL boards SCRIPT boards/screen.cmake BOARD=${board} "EMULATOR=${emulator}"
-      "BITS=${bits}" IMAGE=${SHADE16_BOARD_BUILDS}/${board}/firmware/turntable.elf HOST_PROGRAM=$<TARGET_FILE:${host_program}> ${ARGN})
+    shade16_add_script_test(screen_shows_the_frame.${board} LABEL boards SCRIPT boards/screen.cmake BOARD=${board}
+      IMAGE=${SHADE16_BOARD_BUILDS}/${board}/firmware/turntable.elf HOST_PROGRAM=$<TARGET_FILE:${host_program}>
+      KEPT=${PROJECT_SOURCE_DIR}/docs/img/boards/${board}.png)
   endif()
 endfunction()
 
@@ -35,7 +34,7 @@ foreach(board IN LISTS boards)
   foreach(app IN LISTS apps)
     shade16_same_on_board(${board} ${app} ${app}_${board})
   endforeach()
-  shade16_screen_test(screen_shows_the_frame ${board} turntable_${board})
+  shade16_screen_test(${board} turntable_${board})
   shade16_has_scenes(${board} has_scenes)
   if(has_scenes)
     foreach(scene IN LISTS scenes)
@@ -51,3 +50,5 @@ shade16_add_script_test(wrong_screens_are_found LABEL boards SCRIPT budget/run_p
 # A folder is a board: its presets are made of it.
 shade16_add_script_test(board_presets_are_fresh LABEL system SCRIPT budget/run_python.cmake
   PROGRAM=${PROJECT_SOURCE_DIR}/scripts/boards/presets.py)
+shade16_add_script_test(board_table_is_fresh LABEL system SCRIPT budget/run_python.cmake
+  PROGRAM=${PROJECT_SOURCE_DIR}/scripts/boards/table.py)

@@ -33,6 +33,17 @@ class Picture:
             raise ValueError(f"{file} is no PPM of eight bits a channel")
         return Picture(width, height, rgb)
 
+    @staticmethod
+    def of_png(file: Path) -> "Picture":
+        """One that `png` made: no row is filtered."""
+        data = file.read_bytes()
+        width, height = struct.unpack(">II", data[16:24])
+        at = data.index(b"IDAT")
+        length = struct.unpack(">I", data[at - 4:at])[0]
+        rows = zlib.decompress(data[at + 4:at + 4 + length])
+        stride = 3 * width + 1
+        return Picture(width, height, b"".join(rows[y * stride + 1:(y + 1) * stride] for y in range(height)))
+
     def pixel(self, x: int, y: int) -> bytes:
         at = 3 * (y * self.width + x)
         return self.rgb[at:at + 3]
@@ -133,7 +144,8 @@ def main() -> int:
     parser.add_argument("--bits", type=int, nargs=3, required=True, help="of red, green and blue")
     parser.add_argument("--program", required=True, help="the app on this computer")
     parser.add_argument("--image", required=True, help="the app on the board")
-    parser.add_argument("--png", type=Path, help="where a picture of the display goes")
+    parser.add_argument("--keep", type=Path, help="where a picture of the display goes")
+    parser.add_argument("--kept", type=Path, help="the picture of the display that must still be it")
     parser.add_argument("emulator", nargs="+", help="the command that runs an image, which follows")
     options = parser.parse_args()
     try:
@@ -155,8 +167,10 @@ def compare(options: argparse.Namespace) -> int:
             seen = emulator.screen(folder / "screen")
         finally:
             emulator.end()
-        if options.png:
-            options.png.write_bytes(seen.png())
+        if options.keep:
+            options.keep.write_bytes(seen.png())
+        if options.kept and Picture.of_png(options.kept).rgb != seen.rgb:
+            raise ValueError(f"{options.kept} shows another picture; run 'scripts/boards.sh --pictures'")
         must_be_alike(seen.every(max(1, seen.width // drawn.width)), drawn, options.bits)
         return drawn.width * drawn.height
 
