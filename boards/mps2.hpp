@@ -22,6 +22,7 @@ struct Mps2 {
     static constexpr VertexStore vertex_store = VertexStore::keep;
     static constexpr Mesh model = assets::teapot;
     static constexpr Q16 model_scale = Q16::from_raw(65536 / 12);
+    static constexpr Rgb background = rgb(0x101820);
 
     HashSink display;
 };

@@ -11,8 +11,18 @@ target_link_options(shade16_board INTERFACE
   LINKER:--script=${CMAKE_CURRENT_SOURCE_DIR}/runtime/sections.ld)
 target_link_libraries(shade16_board INTERFACE shade16::core)
 
-add_library(shade16_runtime OBJECT runtime/startup_arm.cpp runtime/board_memory.cpp runtime/memory_functions.cpp
-                                   runtime/console.cpp runtime/console_semihosting.cpp runtime/semihosting.cpp)
+# How a board prints and ends: by Arm's semihosting, which RISC-V has, too, unless it says otherwise.
+if(NOT BOARD_CONSOLE)
+  set(BOARD_CONSOLE semihosting)
+endif()
+set(console_semihosting runtime/console_semihosting.cpp runtime/semihosting.cpp)
+set(console_simcall runtime/console_simcall.cpp)
+
+# What the processor's own compiler library lacks.
+file(GLOB compiler_functions runtime/compiler_functions_${BOARD_STARTUP}.cpp)
+
+add_library(shade16_runtime OBJECT runtime/startup_${BOARD_STARTUP}.cpp runtime/board_memory.cpp runtime/memory_functions.cpp
+                                   runtime/console.cpp ${console_${BOARD_CONSOLE}} ${compiler_functions})
 target_link_libraries(shade16_runtime PUBLIC shade16_board PRIVATE shade16_warnings)
 set_source_files_properties(runtime/memory_functions.cpp PROPERTIES
   COMPILE_OPTIONS "-fno-builtin;-fno-tree-loop-distribute-patterns")

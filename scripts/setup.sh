@@ -9,7 +9,7 @@ if [[ ${1:-} != --demo ]]; then
   packages+=(
     clang libclang-rt-dev lld libgtest-dev libgmock-dev librapidcheck-dev ffmpeg assimp-testmodels
     gcc-arm-none-eabi binutils-arm-none-eabi libnewlib-arm-none-eabi
-    gcc-riscv64-unknown-elf binutils-riscv64-unknown-elf qemu-system-arm python3 gappa
+    gcc-riscv64-unknown-elf binutils-riscv64-unknown-elf qemu-system-arm qemu-system-misc python3 gappa
     gcc-avr simavr
   )
   command -v node >/dev/null || packages+=(nodejs)  # of whatever origin

@@ -32,6 +32,11 @@ foreach(group IN ITEMS unit accuracy raster system proof extremes)
   endif()
 endforeach()
 
+# Display drivers against models of their controllers.
+file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/displays/*.cpp)
+shade16_add_test(displays_tests unit ${sources})
+target_include_directories(displays_tests PRIVATE ${PROJECT_SOURCE_DIR}/firmware)
+
 # What must hold for any numbers, where RapidCheck is there to look for those for which it does not.
 find_package(rapidcheck QUIET)
 if(rapidcheck_FOUND)

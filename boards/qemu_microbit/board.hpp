@@ -1,29 +1,14 @@
-// BBC micro:bit v1 (nRF51822, Cortex-M0): no 64-bit multiply, no divide, 16 KB of RAM. What runs here runs anywhere.
+// BBC micro:bit v1 (nRF51822, Cortex-M0): no 64-bit multiply, no divide, 16 KB of RAM.
 #pragma once
 
-#include <runtime/hash_sink.hpp>
-#include <shade16/shade16.hpp>
+#include <boards/small.hpp>
 
 namespace shade16 {
 
-struct Board {
+struct Board : Small {
     static constexpr const char* name = "qemu_microbit";
     static constexpr uint32_t cpu_hz = 16'000'000;
     static constexpr uint32_t flash_bytes = 256 * 1024;
-    static constexpr uint32_t ram_bytes = 16 * 1024;
-
-    using Pixel = Rgb565;
-    static constexpr int width_px = 128;
-    static constexpr int height_px = 64;
-    static constexpr int band_rows = 8;
-    static constexpr int bands = 1;
-
-    // A vertex cache of 64 slots instead of 288 vertices: most of the RAM stays with the application.
-    static constexpr VertexStore vertex_store = VertexStore::replay;
-    static constexpr Mesh model = torus<24, 12>.mesh();
-    static constexpr Q16 model_scale = 1;
-
-    HashSink display;
 };
 
 }  // namespace shade16

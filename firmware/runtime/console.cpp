@@ -23,4 +23,10 @@ void print_decimal(uint32_t value) {
     print(digits);
 }
 
+void fail(const char* sentence) {
+    print(sentence);
+    print("\n");
+    exit(1);
+}
+
 }  // namespace shade16::console

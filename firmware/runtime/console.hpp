@@ -9,5 +9,6 @@ void print(const char* text);
 void print_hex(uint32_t value);      // eight digits, no prefix
 void print_decimal(uint32_t value);  // no padding
 [[noreturn]] void exit(int status);  // what returning from main() does; any status but 0 is a failure
+[[noreturn]] void fail(const char* sentence);  // prints it and ends with status 1
 
 }  // namespace shade16::console

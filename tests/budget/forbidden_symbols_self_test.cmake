@@ -8,7 +8,7 @@ if(status EQUAL 0)
   message(FATAL_ERROR "The check accepted an image that uses floating point.")
 endif()
 string(REGEX REPLACE "[ \n]+" " " complaint "${complaint}")  # CMake wraps long lines
-foreach(phrase IN ITEMS "floating point: .*__aeabi_fadd" "division of 64 bits: .*ldivmod" "heap: malloc"
+foreach(phrase IN ITEMS "floating point: .*(__aeabi_fadd|__addsf3)" "division of 64 bits: .*(ldivmod|__divdi3)" "heap: malloc"
                         "language support: .*atexit")
   if(NOT complaint MATCHES "${phrase}")
     message(FATAL_ERROR "The check did not report '${phrase}'. It said: ${complaint}")

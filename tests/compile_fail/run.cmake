@@ -10,7 +10,7 @@ if(NOT expectation)
 endif()
 string(REGEX REPLACE "^// EXPECT: " "" expectation "${expectation}")
 
-execute_process(COMMAND ${COMPILER} -std=c++20 -fsyntax-only -I ${INCLUDE} ${SOURCE}
+execute_process(COMMAND ${COMPILER} -std=c++20 -fsyntax-only -I ${INCLUDE} -I ${INCLUDE}/../../firmware ${SOURCE}
   OUTPUT_VARIABLE printed ERROR_VARIABLE complaint RESULT_VARIABLE status)
 if(status EQUAL 0)
   message(FATAL_ERROR "${COMPILER} compiles ${SOURCE}, which it should refuse.")

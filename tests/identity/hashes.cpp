@@ -1,4 +1,4 @@
-// The build says how many arguments slow kernels get, and whether there is the memory for large frames.
+// The build says how many arguments quick and slow kernels get, and whether there is the memory for large frames.
 #include "tests/identity/hashes.hpp"
 
 #include "tests/identity/frames.hpp"
@@ -7,7 +7,7 @@
 namespace shade16::identity {
 
 void say_hashes() {
-    constexpr Inputs inputs{.quick = 1'000'000, .slow = SHADE16_SLOW_INPUTS};
+    constexpr Inputs inputs{.quick = SHADE16_QUICK_INPUTS, .slow = SHADE16_SLOW_INPUTS};
     say_number_kernels(inputs);
     say_vector_kernels(inputs);
     say_glsl_kernels(inputs);

@@ -1,11 +1,17 @@
 # The board's image, where there is an emulator to run it. A Cortex-M0 makes a logarithm of 48 64-bit products a million times in a quarter
 # of a minute, so slow kernels get a tenth of the arguments, unless somebody asks for all.
-if(NOT BOARD_EMULATOR)
+if(NOT BOARD_EMULATOR OR BOARD_TOO_SMALL_FOR_IDENTITY)
   return()
 endif()
 
+set(quick_inputs 1000000)
 set(slow_inputs 100000)
+if(BOARD_MULTIPLIES_SLOWLY)
+  set(quick_inputs 100000)
+  set(slow_inputs 10000)
+endif()
 if(SHADE16_IDENTITY_ALL)
+  set(quick_inputs 1000000)
   set(slow_inputs 1000000)
 endif()
 
@@ -19,5 +25,5 @@ endif()
 
 shade16_add_image(identity ${PROJECT_SOURCE_DIR}/tests/identity/main.cpp)
 target_sources(identity PRIVATE ${sources})
-target_compile_definitions(identity PRIVATE SHADE16_SLOW_INPUTS=${slow_inputs} $<$<BOOL:${BOARD_SCENES}>:SHADE16_LARGE_FRAMES>)
+target_compile_definitions(identity PRIVATE SHADE16_QUICK_INPUTS=${quick_inputs} SHADE16_SLOW_INPUTS=${slow_inputs} $<$<BOOL:${BOARD_SCENES}>:SHADE16_LARGE_FRAMES>)
 shade16_identity_test(${BOARD} PROGRAMS $<TARGET_FILE:identity> KINDS ${kinds} LEAST ${slow_inputs} EMULATOR ${BOARD_EMULATOR})

@@ -9,7 +9,7 @@ foreach(compiler IN ITEMS g++ clang++)
     set(program ${CMAKE_CURRENT_BINARY_DIR}/identity/${machine}/identity)
     shade16_identity_build(${machine} PROGRAM ${program} COMPILER ${compiler}
       SOURCES ${identity_all} tests/identity/main.cpp firmware/runtime/console.cpp firmware/runtime/console_host.cpp
-      FLAGS -${level} -DSHADE16_SLOW_INPUTS=1000000 -DSHADE16_LARGE_FRAMES
+      FLAGS -${level} -DSHADE16_QUICK_INPUTS=1000000 -DSHADE16_SLOW_INPUTS=1000000 -DSHADE16_LARGE_FRAMES
       LINK ${compiler} <objects> -o <program>)
     shade16_identity_test(${machine} PROGRAMS ${program} KINDS kernel frame large_frame LEAST 1000000 NEEDS ${compiler})
   endforeach()

@@ -1,36 +1,4 @@
-# Tests of the whole: boards against this computer, the build itself, and the rules that the core promises to keep.
-set(SHADE16_BOARD_BUILDS ${PROJECT_SOURCE_DIR}/build CACHE PATH "Where the boards are built: one folder a board")
-
-# The same app, the same words, on the board and here: the apps that a board gives its screen, with the program that has
-# the same screen; the scenes, which have their own, wherever a board has the memory for them.
-function(shade16_same_on_board board app host_program)
-  include(${SHADE16_BOARDS_DIR}/${board}/board.cmake)
-  list(JOIN BOARD_EMULATOR " " emulator)
-  shade16_add_script_test(same_on_board.${app}.${board} LABEL boards SCRIPT system/same_on_board.cmake
-    BOARD=${board} "EMULATOR=${emulator}" IMAGE=${SHADE16_BOARD_BUILDS}/${board}/firmware/${app}.elf
-    HOST_PROGRAM=$<TARGET_FILE:${host_program}>)
-endfunction()
-
-function(shade16_has_scenes board result)
-  include(${SHADE16_BOARDS_DIR}/${board}/board.cmake)
-  set(${result} ${BOARD_SCENES} PARENT_SCOPE)
-endfunction()
-
-get_property(apps GLOBAL PROPERTY SHADE16_APPS)
-get_property(scenes GLOBAL PROPERTY SHADE16_SCENES)
-get_property(boards GLOBAL PROPERTY SHADE16_EMULATED_BOARDS)
-foreach(board IN LISTS boards)
-  foreach(app IN LISTS apps)
-    shade16_same_on_board(${board} ${app} ${app}_${board})
-  endforeach()
-  shade16_has_scenes(${board} has_scenes)
-  if(has_scenes)
-    foreach(scene IN LISTS scenes)
-      shade16_same_on_board(${board} scene_${scene} scene_${scene})
-    endforeach()
-  endif()
-endforeach()
-
+# Tests of the whole: the build itself, and the rules that the core promises to keep.
 list(JOIN SHADE16_BOARDS " " boards)
 shade16_add_script_test(wrong_board_is_refused LABEL system SCRIPT system/wrong_board.cmake
   SOURCE=${PROJECT_SOURCE_DIR} BUILD=${CMAKE_CURRENT_BINARY_DIR}/wrong_board "BOARDS=${boards}")

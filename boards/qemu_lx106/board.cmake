@@ -1,0 +1,10 @@
+set(BOARD_CORE "Xtensa LX106")
+set(BOARD_DISPLAY "none: frames are hashed")
+set(BOARD_TOOLCHAIN xtensa-lx106-elf)
+set(BOARD_STARTUP lx106)
+set(BOARD_CONSOLE simcall)
+set(BOARD_CPU_FLAGS -mlongcalls -mtext-section-literals)
+set(BOARD_OPTIMIZE -O2)
+set(BOARD_EMULATOR qemu-system-xtensa -M sim -cpu lx106 -display none -monitor none -serial none -semihosting -kernel)
+set(BOARD_FRAMES_OF qemu_microbit)
+set(BOARD_MULTIPLIES_SLOWLY ON)  # 16 by 16 bits

@@ -1,0 +1,46 @@
+// From reset to main() on RISC-V in machine mode, and one sentence when the processor traps.
+#include <runtime/console.hpp>
+#include <runtime/variables.hpp>
+
+int main();
+
+extern "C" {
+
+[[noreturn]] __attribute__((used)) void shade16_start() {
+    shade16::initialise_variables();
+    shade16::console::exit(main());
+}
+
+[[noreturn]] __attribute__((used)) void shade16_report_trap(uint32_t cause, uint32_t address) {
+    using namespace shade16;
+    console::print("The processor stopped at address 0x");
+    console::print_hex(address);
+    console::print(" with trap ");
+    console::print_decimal(cause);
+    console::print(".\n");
+    console::exit(1);
+}
+
+// The stack may be what broke, and nobody comes back: the report gets a fresh one.
+[[noreturn]] __attribute__((naked, used, aligned(4))) void shade16_trap() {
+    asm(".option push\n.option arch, +zicsr\n"
+        "csrr a0, mcause\n"
+        "csrr a1, mepc\n"
+        ".option pop\n"
+        "la sp, shade16_stack_end\n"
+        "j shade16_report_trap\n");
+}
+
+// Where these machines begin: sections.ld puts it at the start of the flash.
+[[noreturn]] __attribute__((naked, used, section(".vectors"))) void shade16_reset() {
+    asm(".option push\n.option norelax\n"
+        "la gp, __global_pointer$\n"
+        ".option pop\n"
+        "la sp, shade16_stack_end\n"
+        "la t0, shade16_trap\n"
+        ".option push\n.option arch, +zicsr\n"
+        "csrw mtvec, t0\n"
+        ".option pop\n"
+        "j shade16_start\n");
+}
+}

@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# Makes boards/presets.json and the table of docs/boards.md of the folders under boards/.
+# usage: scripts/boards.sh              the presets and the table
+#        scripts/boards.sh --pictures   builds the boards whose displays an emulator shows, and takes their pictures for the page
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+python3 -B scripts/boards/presets.py --write
+python3 -B scripts/boards/table.py --write
+[[ ${1:-} == --pictures ]] || exit 0
+
+scripts/setup.sh
+cmake --preset host >/dev/null
+for folder in boards/*/; do
+  board=$(basename "$folder")
+  grep -q BOARD_SCREEN_BITS "$folder/board.cmake" || continue
+  cmake --preset "$board" >/dev/null
+  cmake --build --preset "$board" --target turntable >/dev/null
+  cmake --build --preset host --target "turntable_$board" >/dev/null
+  cmake -DBOARD="$board" -DHOST_PROGRAM="build/host/firmware/turntable_$board" -DIMAGE="build/$board/firmware/turntable.elf" \
+    -DKEEP="docs/img/boards/$board.png" -P tests/boards/screen.cmake
+done

@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+"""The table of boards in docs/boards.md: of each board.cmake and board.hpp.
+
+usage: table.py          exit code 1 where the page has another table
+       table.py --write  writes it
+"""
+import re
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+BEGIN, END = "<!-- boards: made by scripts/boards.sh -->\n", "<!-- end -->\n"
+
+
+def cmake_value(text: str, name: str) -> str:
+    match = re.search(rf"set\({name}\s+([^)]*)\)", text)
+    return " ".join(match.group(1).split()).strip('"') if match else ""
+
+
+def number(header: Path, name: str) -> int:
+    """A constant of struct Board, or of the header that it inherits from."""
+    text = header.read_text()
+    match = re.search(rf"\b{name} = ([\d' *]+);", text)
+    if match:
+        product = 1
+        for factor in match.group(1).replace("'", "").split("*"):
+            product *= int(factor)
+        return product
+    base = re.search(r"struct Board : (\w+)", text)
+    if not base:
+        raise ValueError(f"{header} has no {name}")
+    return number(ROOT / "boards" / f"{base.group(1).lower()}.hpp", name)
+
+
+def memory(size: int) -> str:
+    return f"{size >> 20} MB" if size >= 1 << 20 else f"{size >> 10} KB"
+
+
+def tested(cmake: str) -> str:
+    emulator = cmake_value(cmake, "BOARD_EMULATOR").split()
+    if not emulator:
+        return "built"
+    what = "frames" if "BOARD_TOO_SMALL_FOR_IDENTITY" in cmake else "frames and hashes"
+    how = f"{what} in {emulator[0]} (`-M {emulator[emulator.index('-M') + 1]}`)"
+    return how + (", every pixel of the screen" if "BOARD_SCREEN_BITS" in cmake else "")
+
+
+def rows() -> list[str]:
+    lines = ["| board | core | clock | flash | RAM | display | tested |", "|---|---|---|---|---|---|---|"]
+    for file in sorted((ROOT / "boards").glob("*/board.cmake")):
+        cmake, header = file.read_text(), file.parent / "board.hpp"
+        cells = [f"`{file.parent.name}`", cmake_value(cmake, "BOARD_CORE"), f"{number(header, 'cpu_hz') // 1_000_000} MHz",
+                 memory(number(header, "flash_bytes")), memory(number(header, "ram_bytes")), cmake_value(cmake, "BOARD_DISPLAY"), tested(cmake)]
+        lines.append("| " + " | ".join(cells) + " |")
+    return lines
+
+
+def main() -> int:
+    page = ROOT / "docs" / "boards.md"
+    text = page.read_text()
+    before, rest = text.split(BEGIN)
+    after = rest.split(END)[1]
+    fresh = before + BEGIN + "\n".join(rows()) + "\n" + END + after
+    if sys.argv[1:] == ["--write"]:
+        page.write_text(fresh)
+    elif fresh != text:
+        print("The table in docs/boards.md is not that of the folders under boards/; run 'scripts/boards.sh'.", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
