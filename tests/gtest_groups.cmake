@@ -36,6 +36,7 @@ endforeach()
 file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/displays/*.cpp)
 shade16_add_test(displays_tests unit ${sources})
 target_include_directories(displays_tests PRIVATE ${PROJECT_SOURCE_DIR}/firmware)
+target_compile_definitions(displays_tests PRIVATE SHADE16_DOCS="${PROJECT_SOURCE_DIR}/docs")
 
 # What must hold for any numbers, where RapidCheck is there to look for those for which it does not.
 find_package(rapidcheck QUIET)
@@ -50,7 +51,7 @@ else()
 endif()
 
 # These compare the engine with the reference, or test the simulator itself.
-foreach(group IN ITEMS accuracy system extremes)
+foreach(group IN ITEMS accuracy system extremes displays)
   if(TARGET ${group}_tests AND TARGET host_sim_library)
     target_link_libraries(${group}_tests PRIVATE host_sim_library)
   endif()
