@@ -33,10 +33,17 @@ foreach(group IN ITEMS unit accuracy raster system proof extremes)
 endforeach()
 
 # Display drivers against models of their controllers.
-file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/displays/*.cpp)
+file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/displays/*_test.cpp)
+list(APPEND sources displays/dcs_model.cpp)
 shade16_add_test(displays_tests unit ${sources})
 target_include_directories(displays_tests PRIVATE ${PROJECT_SOURCE_DIR}/firmware)
 target_compile_definitions(displays_tests PRIVATE SHADE16_DOCS="${PROJECT_SOURCE_DIR}/docs")
+
+# What an emulated board's display shows: the model, after what its bus carried.
+add_executable(decode_display displays/decode.cpp displays/dcs_model.cpp)
+target_include_directories(decode_display PRIVATE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/firmware)
+target_link_libraries(decode_display PRIVATE shade16::core shade16_warnings)
+add_dependencies(checks decode_display)
 
 # What must hold for any numbers, where RapidCheck is there to look for those for which it does not.
 find_package(rapidcheck QUIET)

@@ -33,7 +33,7 @@ struct TestCard {
 
     /// The colour of a pixel of the frame.
     constexpr Rgb color_at(int x, int y) const {
-        const int corner = min(width, height) / 6;
+        const int shorter = min(width, height), corner = max(shorter / 6, min(16, shorter / 4));  // two lines of letters
         if (x == 0 || y == 0 || x == width - 1 || y == height - 1) return white;
         if (y < corner || y >= height - corner) {
             const bool left = x < corner, top = y < corner;
