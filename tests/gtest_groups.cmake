@@ -45,6 +45,10 @@ target_include_directories(decode_display PRIVATE ${PROJECT_SOURCE_DIR} ${PROJEC
 target_link_libraries(decode_display PRIVATE shade16::core shade16_warnings)
 add_dependencies(checks decode_display)
 
+# Adapters to other libraries, against stubs with their signatures.
+shade16_add_test(adapters_tests unit adapters/adapters_test.cpp)
+target_include_directories(adapters_tests PRIVATE ${PROJECT_SOURCE_DIR}/firmware ${CMAKE_CURRENT_SOURCE_DIR}/adapters/stubs)
+
 # What must hold for any numbers, where RapidCheck is there to look for those for which it does not.
 find_package(rapidcheck QUIET)
 if(rapidcheck_FOUND)
