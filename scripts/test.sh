@@ -47,7 +47,7 @@ if [[ $share == errors ]]; then
   ctest --preset host-fuzz
   say "host, errors"
   build host --target errors
-  ctest --preset host --label-regex '^(bounds|proof|extremes|identity|accuracy|unit|raster|compile_fail)$' --exclude-regex '^renderer$'
+  ctest --preset host --label-regex '^(bounds|proof|extremes|identity|accuracy|unit|raster|compile_fail)$' --exclude-regex '^renderer_tests$'
   exit
 fi
 
@@ -63,7 +63,7 @@ build host-clang
 ctest --preset host-clang --label-regex unit
 
 say "host, address and undefined-behaviour sanitizers"
-build host-sanitize --target checks
+build host-sanitize --target sanitized
 ctest --preset host-sanitize --label-regex 'unit|raster|golden|accuracy|extremes'
 
 say "host, fuzzers and random frames"

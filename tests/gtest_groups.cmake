@@ -83,11 +83,10 @@ if(TARGET system_tests AND scenes)
   add_dependencies(system_tests ${scenes})
 endif()
 
-# The renderer's own tests once more by themselves: the sanitizers run this label, random scenes included.
-if(TARGET system_tests)
-  add_test(NAME renderer COMMAND system_tests --gtest_filter=Renderer.*:*OnePicture*)
-  set_tests_properties(renderer PROPERTIES TIMEOUT 120 LABELS raster)
-endif()
+# The renderer's own tests by themselves: the sanitizers run them.
+file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/renderer/*_test.cpp)
+shade16_add_test(renderer_tests raster ${sources})
+target_link_libraries(renderer_tests PRIVATE host_sim_library)
 
 # Every scene drawn by the smallest of some pipelines and by that of all terms: a program of many pipelines, compiled quickly, not well.
 # One compiler and no sanitizer: the pipelines are those that other tests build with both.
