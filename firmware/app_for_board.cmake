@@ -17,6 +17,7 @@ if(NOT BOARD_CONSOLE)
 endif()
 set(console_semihosting runtime/console_semihosting.cpp runtime/semihosting.cpp)
 set(console_simcall runtime/console_simcall.cpp)
+set(console_rp2040 runtime/console_rp2040.cpp mcu/rp2040/boot.cpp)
 
 # What the processor's own compiler library lacks.
 file(GLOB compiler_functions runtime/compiler_functions_${BOARD_STARTUP}.cpp)
@@ -40,6 +41,18 @@ endfunction()
 function(shade16_build_app name source)
   shade16_add_image(${name} ${source})
   target_link_options(${name} PRIVATE LINKER:--print-memory-usage)
+  if(BOARD_UF2)
+    shade16_add_uf2(${name})
+  endif()
+endfunction()
+
+# <name>.bin, what the flash holds, and <name>.uf2, which a Pico takes as a USB drive does a copy.
+function(shade16_add_uf2 name)
+  find_package(Python3 REQUIRED COMPONENTS Interpreter)
+  add_custom_command(TARGET ${name} POST_BUILD
+    COMMAND ${CMAKE_OBJCOPY} -O binary $<TARGET_FILE:${name}> ${name}.bin
+    COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/scripts/boards/uf2.py ${name}.bin ${name}.uf2
+    BYPRODUCTS ${name}.bin ${name}.uf2 VERBATIM)
 endfunction()
 
 function(shade16_build_scene name source)

@@ -10,6 +10,7 @@ python3 -B scripts/boards/table.py --write
 
 scripts/setup.sh
 cmake --preset host >/dev/null
+cmake --build --preset host --target decode_display >/dev/null
 for folder in boards/*/; do
   board=$(basename "$folder")
   grep -q BOARD_SCREEN_BITS "$folder/board.cmake" || continue
@@ -17,5 +18,5 @@ for folder in boards/*/; do
   cmake --build --preset "$board" --target turntable >/dev/null
   cmake --build --preset host --target "turntable_$board" >/dev/null
   cmake -DBOARD="$board" -DHOST_PROGRAM="build/host/firmware/turntable_$board" -DIMAGE="build/$board/firmware/turntable.elf" \
-    -DKEEP="docs/img/boards/$board.png" -P tests/boards/screen.cmake
+    -DDECODER=build/host/tests/decode_display -DKEEP="docs/img/boards/$board.png" -P tests/boards/screen.cmake
 done

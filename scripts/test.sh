@@ -16,6 +16,13 @@ scripts/setup.sh
 
 say() { printf '\n== %s\n' "$*"; }
 build() { cmake --preset "$1" >/dev/null && cmake --build --preset "$@"; }
+# Runs a test preset of every board that is named, two at a time: most have one long test.
+test_boards() {
+  local label=$1
+  shift
+  printf '%s\n' "$@" | xargs -P 2 -I @ bash -c \
+    'log=$(ctest --preset @ --parallel 1 --label-regex "$0" 2>&1); status=$?; printf "\n== %s, tests\n%s\n" @ "$log"; exit $status' "$label"
+}
 emulated_boards() {
   local folder
   for folder in boards/*/; do
@@ -24,12 +31,14 @@ emulated_boards() {
 }
 
 if [[ $share == errors ]]; then
-  for board in $(emulated_boards); do
-    if grep -q BOARD_TOO_SMALL_FOR_IDENTITY "boards/$board/board.cmake"; then continue; fi
+  mapfile -t boards < <(emulated_boards | while read -r board; do
+    grep -q BOARD_TOO_SMALL_FOR_IDENTITY "boards/$board/board.cmake" || echo "$board"
+  done)
+  for board in "${boards[@]}"; do
     say "$board, the same bits"
     build "$board" --target identity
-    ctest --preset "$board" --label-regex identity
   done
+  test_boards identity "${boards[@]}"
   say "host, extremes with sanitizers"
   build host-sanitize --target unit_tests extremes_tests
   ctest --preset host-sanitize --tests-regex '^(unit|extremes)_tests$'
@@ -38,22 +47,23 @@ if [[ $share == errors ]]; then
   ctest --preset host-fuzz
   say "host, errors"
   build host --target errors
-  ctest --preset host --label-regex '^(bounds|proof|extremes|identity|accuracy|unit|raster|compile_fail)$' --exclude-regex '^renderer$'
+  ctest --preset host --label-regex '^(bounds|proof|extremes|identity|accuracy|unit|raster|compile_fail)$' --exclude-regex '^renderer_tests$'
   exit
 fi
 
-for board in $(emulated_boards); do
+mapfile -t boards < <(emulated_boards)
+for board in "${boards[@]}"; do
   say "$board"
   build "$board"
-  ctest --preset "$board"
 done
+test_boards . "${boards[@]}"
 
 say "host, clang"
 build host-clang
 ctest --preset host-clang --label-regex unit
 
 say "host, address and undefined-behaviour sanitizers"
-build host-sanitize --target checks
+build host-sanitize --target sanitized
 ctest --preset host-sanitize --label-regex 'unit|raster|golden|accuracy|extremes'
 
 say "host, fuzzers and random frames"

@@ -33,9 +33,21 @@ foreach(group IN ITEMS unit accuracy raster system proof extremes)
 endforeach()
 
 # Display drivers against models of their controllers.
-file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/displays/*.cpp)
+file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/displays/*_test.cpp)
+list(APPEND sources displays/dcs_model.cpp)
 shade16_add_test(displays_tests unit ${sources})
 target_include_directories(displays_tests PRIVATE ${PROJECT_SOURCE_DIR}/firmware)
+target_compile_definitions(displays_tests PRIVATE SHADE16_DOCS="${PROJECT_SOURCE_DIR}/docs")
+
+# What an emulated board's display shows: the model, after what its bus carried.
+add_executable(decode_display displays/decode.cpp displays/dcs_model.cpp)
+target_include_directories(decode_display PRIVATE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/firmware)
+target_link_libraries(decode_display PRIVATE shade16::core shade16_warnings)
+add_dependencies(checks decode_display)
+
+# Adapters to other libraries, against stubs with their signatures.
+shade16_add_test(adapters_tests unit adapters/adapters_test.cpp)
+target_include_directories(adapters_tests PRIVATE ${PROJECT_SOURCE_DIR}/firmware ${CMAKE_CURRENT_SOURCE_DIR}/adapters/stubs)
 
 # What must hold for any numbers, where RapidCheck is there to look for those for which it does not.
 find_package(rapidcheck QUIET)
@@ -50,7 +62,7 @@ else()
 endif()
 
 # These compare the engine with the reference, or test the simulator itself.
-foreach(group IN ITEMS accuracy system extremes)
+foreach(group IN ITEMS accuracy system extremes displays)
   if(TARGET ${group}_tests AND TARGET host_sim_library)
     target_link_libraries(${group}_tests PRIVATE host_sim_library)
   endif()
@@ -71,11 +83,10 @@ if(TARGET system_tests AND scenes)
   add_dependencies(system_tests ${scenes})
 endif()
 
-# The renderer's own tests once more by themselves: the sanitizers run this label, random scenes included.
-if(TARGET system_tests)
-  add_test(NAME renderer COMMAND system_tests --gtest_filter=Renderer.*:*OnePicture*)
-  set_tests_properties(renderer PROPERTIES TIMEOUT 120 LABELS raster)
-endif()
+# The renderer's own tests by themselves: the sanitizers run them.
+file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/renderer/*_test.cpp)
+shade16_add_test(renderer_tests raster ${sources})
+target_link_libraries(renderer_tests PRIVATE host_sim_library)
 
 # Every scene drawn by the smallest of some pipelines and by that of all terms: a program of many pipelines, compiled quickly, not well.
 # One compiler and no sanitizer: the pipelines are those that other tests build with both.

@@ -3,6 +3,7 @@
 // Source: MIPI Alliance Specification for Display Command Set; the controllers' data sheets.
 #pragma once
 
+#include <display/command_list.hpp>
 #include <shade16/shade16.hpp>
 
 namespace shade16 {
@@ -12,10 +13,6 @@ inline constexpr uint8_t reset = 0x01, sleep_out = 0x11, normal_mode = 0x13, not
 inline constexpr uint8_t columns = 0x2A, rows = 0x2B, write_memory = 0x2C, memory_access = 0x36, pixel_format = 0x3A;
 inline constexpr uint8_t rows_mirrored = 0x80, columns_mirrored = 0x40, exchanged = 0x20, blue_first = 0x08;  // of memory_access
 inline constexpr uint8_t sixteen_bits = 0x55;                                                                 // of pixel_format
-
-/// Bytes of a list of commands: command, number of parameters, parameters; with `then_wait` added to the number, a last byte says how
-/// many times 5 ms to wait.
-inline constexpr uint8_t then_wait = 0x80;
 }  // namespace dcs
 
 /// How the picture stands: turned clockwise by quarters, and mirrored left to right before that.
@@ -35,8 +32,8 @@ struct DcsPanel {
     bool columns_mirrored = false, rows_mirrored = false;
     bool blue_first = false;  // the order of the glass's subpixels
     bool inverted = false;    // IPS glass shows what is 0 as white unless told
-    const uint8_t* beginning = nullptr;
-    int beginning_bytes = 0;
+    const uint8_t* beginning = nullptr;  // a list of command_list.hpp
+    size_t beginning_bytes = 0;
 };
 
 namespace dcs {
@@ -90,7 +87,7 @@ public:
 
     constexpr explicit DcsDisplay(Bus bus = {}) : bus_(bus) {
         bus_.reset();
-        run(panel.beginning, panel.beginning_bytes);
+        run_commands(bus_, panel.beginning, panel.beginning_bytes);
         const uint8_t access = dcs::access_of(panel, orientation);
         send(dcs::pixel_format, {dcs::sixteen_bits}, 1);
         send(dcs::memory_access, {access}, 1);
@@ -122,17 +119,6 @@ private:
         const int last = first + count - 1;
         send(command, {{static_cast<uint8_t>(first >> 8), static_cast<uint8_t>(first), static_cast<uint8_t>(last >> 8), static_cast<uint8_t>(last)}}, 4);
     }
-    constexpr void run(const uint8_t* list, int bytes) {
-        for (const uint8_t* const end = list + bytes; list < end;) {
-            const uint8_t command = *list++, shape = *list++;
-            const size_t count = shape & ~dcs::then_wait & 0xFF;
-            bus_.command(command);
-            if (count != 0) bus_.data(list, count);
-            list += count;
-            if ((shape & dcs::then_wait) != 0) bus_.delay_ms(*list++ * uint32_t{5});
-        }
-    }
-
     Bus bus_;
 };
 

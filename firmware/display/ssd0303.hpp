@@ -2,11 +2,11 @@
 // Source: SSD0303 data sheet, section 9, command table.
 #pragma once
 
-#include <shade16/shade16.hpp>
+#include <display/pages.hpp>
 
 namespace shade16 {
 
-/// A sink of Mono1 bands. The controller's byte is a column of eight pixels, the highest in bit 0: bands have a multiple of eight rows.
+/// A sink of Mono1 bands with a multiple of eight rows.
 template <class I2c, uint8_t Device = 0x3D, int FirstColumn = 36>
 class Ssd0303 {
 public:
@@ -25,7 +25,7 @@ public:
             command(static_cast<uint8_t>(page | (area.y + y) / 8));
             command(static_cast<uint8_t>(column_low | (column & 15)));
             command(static_cast<uint8_t>(column_high | column >> 4));
-            for (int32_t x = 0; x < area.width; ++x) data(column_of(pixels + y * row_bytes, row_bytes, x));
+            for (int32_t x = 0; x < area.width; ++x) data(page_byte(pixels + y * row_bytes, row_bytes, x));
         }
     }
     void wait() {}
@@ -35,12 +35,6 @@ private:
     static constexpr uint8_t beginning[] = {off, all_as_in_memory, not_inverted, on};
     static constexpr uint8_t command_follows = 0x80, data_follows = 0x40;
 
-    /// Eight pixels below each other as one byte.
-    static uint8_t column_of(const uint8_t* rows, int32_t row_bytes, int32_t x) {
-        unsigned column = 0;
-        for (int32_t y = 0; y < 8; ++y) column |= (unsigned{rows[y * row_bytes + (x >> 3)]} >> (7 - (x & 7)) & 1u) << y;
-        return static_cast<uint8_t>(column);
-    }
     static void command(uint8_t byte) { I2c::send(Device, command_follows, byte); }
     static void data(uint8_t byte) { I2c::send(Device, data_follows, byte); }
 };

@@ -7,8 +7,8 @@
 namespace shade16 {
 
 inline constexpr uint8_t st7735_beginning[] = {
-    dcs::reset, dcs::then_wait, 30,                   // 150 ms
-    dcs::sleep_out, dcs::then_wait, 100,              // 500 ms
+    dcs::reset, then_wait, 30,                   // 150 ms
+    dcs::sleep_out, then_wait, 100,              // 500 ms
     0xB1, 3, 0x01, 0x2C, 0x2D,                        // frame rates: normal, idle, partial
     0xB2, 3, 0x01, 0x2C, 0x2D,
     0xB3, 6, 0x01, 0x2C, 0x2D, 0x01, 0x2C, 0x2D,

@@ -7,8 +7,8 @@
 namespace shade16 {
 
 inline constexpr uint8_t st7789_beginning[] = {
-    dcs::reset, dcs::then_wait, 30,      // 150 ms
-    dcs::sleep_out, dcs::then_wait, 24,  // 120 ms
+    dcs::reset, then_wait, 30,      // 150 ms
+    dcs::sleep_out, then_wait, 24,  // 120 ms
     0xB0, 2, 0x00, 0xC0,                 // five bits become six by repeating the highest, so that grey has no tint
     0xB7, 1, 0x35,                       // gate voltages
     0xBB, 1, 0x28,                       // VCOM

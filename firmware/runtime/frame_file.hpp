@@ -31,12 +31,13 @@ private:
         if constexpr (GrayFormat<Format>) {
             const uint8_t gray = widened(static_cast<int>(luma_code<Format>(row, x)), (1 << Format::luma_bits) - 1);
             append(Rgb888::Pixel{gray, gray, gray});
+        } else if constexpr (requires { Format::from_rgb565(row[x]); }) {
+            append(Format::from_rgb565(row[x]));  // which exchanges the bytes back where the display wants them exchanged
         } else {
             append(row[x]);
         }
     }
     void append(Rgb888::Pixel p) { rgb_ += {static_cast<char>(p.r), static_cast<char>(p.g), static_cast<char>(p.b)}; }
-    /// A 16-bit pixel is shown as RGB565, also where the display wants its bytes swapped.
     void append(uint16_t p) {
         append(Rgb888::Pixel{widened(p >> 11, 31), widened(p >> 5 & 63, 63), widened(p & 31, 31)});
     }

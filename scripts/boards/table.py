@@ -6,6 +6,7 @@ usage: table.py          exit code 1 where the page has another table
 """
 import re
 import sys
+from math import prod
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -20,12 +21,11 @@ def cmake_value(text: str, name: str) -> str:
 def number(header: Path, name: str) -> int:
     """A constant of struct Board, or of the header that it inherits from."""
     text = header.read_text()
-    match = re.search(rf"\b{name} = ([\d' *]+);", text)
+    match = re.search(rf"\b{name} = ([\d' *-]+);", text)
     if match:
-        product = 1
-        for factor in match.group(1).replace("'", "").split("*"):
-            product *= int(factor)
-        return product
+        less = [[int(factor) for factor in product.split("*")] for product in match.group(1).replace("'", "").split("-")]
+        first, *rest = [prod(factors) for factors in less]
+        return first - sum(rest)
     base = re.search(r"struct Board : (\w+)", text)
     if not base:
         raise ValueError(f"{header} has no {name}")
@@ -33,7 +33,7 @@ def number(header: Path, name: str) -> int:
 
 
 def memory(size: int) -> str:
-    return f"{size >> 20} MB" if size >= 1 << 20 else f"{size >> 10} KB"
+    return f"{size / 2**20:.0f} MB" if size >= 1_000_000 else f"{size >> 10} KB"
 
 
 def tested(cmake: str) -> str:
@@ -41,8 +41,9 @@ def tested(cmake: str) -> str:
     if not emulator:
         return "built"
     what = "frames" if "BOARD_TOO_SMALL_FOR_IDENTITY" in cmake else "frames and hashes"
-    how = f"{what} in {emulator[0]} (`-M {emulator[emulator.index('-M') + 1]}`)"
-    return how + (", every pixel of the screen" if "BOARD_SCREEN_BITS" in cmake else "")
+    where = "rp2040js" if emulator[0] == "node" else f"{emulator[0]} (`-M {emulator[emulator.index('-M') + 1]}`)"
+    shown = ", every pixel of a strict model of the panel" if "BOARD_SCREEN_MODEL" in cmake else ", every pixel of the screen"
+    return f"{what} in {where}" + (shown if "BOARD_SCREEN_BITS" in cmake else "")
 
 
 def rows() -> list[str]:

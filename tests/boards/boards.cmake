@@ -23,7 +23,7 @@ function(shade16_screen_test board host_program)
   if(BOARD_SCREEN_BITS)
     shade16_add_script_test(screen_shows_the_frame.${board} LABEL boards SCRIPT boards/screen.cmake BOARD=${board}
       IMAGE=${SHADE16_BOARD_BUILDS}/${board}/firmware/turntable.elf HOST_PROGRAM=$<TARGET_FILE:${host_program}>
-      KEPT=${PROJECT_SOURCE_DIR}/docs/img/boards/${board}.png)
+      KEPT=${PROJECT_SOURCE_DIR}/docs/img/boards/${board}.png DECODER=$<TARGET_FILE:decode_display>)
   endif()
 endfunction()
 

@@ -4,8 +4,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/../scripts/skip.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/../scripts/run.cmake)
 
 separate_arguments(emulator UNIX_COMMAND "${EMULATOR}")
-list(GET emulator 0 program)
-shade16_skip_without_program(${program})
+shade16_skip_without_emulator(${emulator})
 shade16_skip_without_file(${IMAGE} "build it with 'cmake --workflow --preset ${BOARD}'.")
 
 shade16_run(board_text ${emulator} ${IMAGE})

@@ -3,8 +3,7 @@ cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/../scripts/skip.cmake)
 
 include(${CMAKE_CURRENT_LIST_DIR}/../../boards/${BOARD}/board.cmake)
-list(GET BOARD_EMULATOR 0 program)
-shade16_skip_without_program(${program})
+shade16_skip_without_emulator(${BOARD_EMULATOR})
 shade16_skip_without_program(python3)
 shade16_skip_without_file(${IMAGE} "build it with 'cmake --workflow --preset ${BOARD}'.")
 
@@ -14,9 +13,13 @@ if(KEPT)
 elseif(KEEP)
   set(picture --keep ${KEEP})
 endif()
+set(model "")
+if(BOARD_SCREEN_MODEL)
+  set(model --model ${DECODER} ${BOARD_SCREEN_MODEL})
+endif()
 execute_process(
   COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/screen_dump.py --bits ${BOARD_SCREEN_BITS} --program ${HOST_PROGRAM} --image ${IMAGE}
-          ${picture} -- ${BOARD_EMULATOR}
+          ${picture} ${model} -- ${BOARD_EMULATOR}
   RESULT_VARIABLE status OUTPUT_VARIABLE printed ERROR_VARIABLE printed)
 if(NOT status EQUAL 0)
   message(FATAL_ERROR "${BOARD}: ${printed}")

@@ -123,6 +123,26 @@ class Emulator:
         self.process.wait()
 
 
+def decoded(options: argparse.Namespace, folder: Path) -> Picture:
+    """What the model of the panel shows after all that the board's bus carried."""
+    log, picture = folder / "log", folder / "seen.ppm"
+    subprocess.run(options.emulator + ["--log", str(log), options.image], check=True, stdout=subprocess.DEVNULL)
+    decoder, panel, turns = options.model
+    result = subprocess.run([decoder, panel, turns, str(log), str(picture)], capture_output=True, text=True)
+    if result.returncode != 0:
+        raise ValueError(result.stderr.strip().rstrip("."))
+    return Picture.of_ppm(picture)
+
+
+def shown(options: argparse.Namespace, folder: Path) -> Picture:
+    """What the emulator itself shows."""
+    emulator = Emulator(options.emulator + [options.image], folder)
+    try:
+        return emulator.screen(folder / "screen")
+    finally:
+        emulator.end()
+
+
 def last_frame(program: str, folder: Path) -> Picture:
     subprocess.run([program], check=True, stdout=subprocess.DEVNULL, env=os.environ | {"SHADE16_FRAMES": str(folder)})
     frames = sorted(folder.glob("[0-9]*.ppm"), key=lambda file: int(file.stem))
@@ -146,6 +166,7 @@ def main() -> int:
     parser.add_argument("--image", required=True, help="the app on the board")
     parser.add_argument("--keep", type=Path, help="where a picture of the display goes")
     parser.add_argument("--kept", type=Path, help="the picture of the display that must still be it")
+    parser.add_argument("--model", nargs=3, metavar=("DECODER", "PANEL", "TURNS"), help="instead of the emulator's own screen")
     parser.add_argument("emulator", nargs="+", help="the command that runs an image, which follows")
     options = parser.parse_args()
     try:
@@ -162,11 +183,7 @@ def compare(options: argparse.Namespace) -> int:
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         drawn = last_frame(options.program, folder)
-        emulator = Emulator(options.emulator + [options.image], folder)
-        try:
-            seen = emulator.screen(folder / "screen")
-        finally:
-            emulator.end()
+        seen = decoded(options, folder) if options.model else shown(options, folder)
         if options.keep:
             options.keep.write_bytes(seen.png())
         if options.kept and Picture.of_png(options.kept).rgb != seen.rgb:

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "tests/displays/model_bus.hpp"
+#include "tests/displays/turned.hpp"
 
 namespace shade16::displays {
 namespace {
@@ -19,21 +20,6 @@ Seen noise(int width, int height) {
     std::mt19937 engine(7);
     for (int i = 0; i < width * height; ++i) picture.pixels.push_back(static_cast<uint16_t>(engine()));
     return picture;
-}
-
-/// How a picture looks on a glass that it is turned and mirrored for.
-Seen turned(const Seen& picture, Orientation o) {
-    const bool exchanged = o.quarter_turns % 2 != 0;
-    Seen seen{exchanged ? picture.height : picture.width, exchanged ? picture.width : picture.height, {}};
-    seen.pixels.resize(picture.pixels.size());
-    for (int y = 0; y < picture.height; ++y)
-        for (int x = 0; x < picture.width; ++x) {
-            const int mx = o.mirrored ? picture.width - 1 - x : x;
-            const std::array<std::array<int, 2>, 4> places{{{mx, y}, {seen.width - 1 - y, mx}, {seen.width - 1 - mx, seen.height - 1 - y}, {y, seen.height - 1 - mx}}};
-            const auto [u, v] = places[static_cast<size_t>(o.quarter_turns)];
-            seen.at(u, v) = picture.at(x, y);
-        }
-    return seen;
 }
 
 /// Sends a picture in bands of 40 rows.

@@ -6,8 +6,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/frames.cmake)
 
 separate_arguments(emulator UNIX_COMMAND "${EMULATOR}")
 if(emulator)
-  list(GET emulator 0 program)
-  shade16_skip_without_program(${program})
+  shade16_skip_without_emulator(${emulator})
 endif()
 
 shade16_run(printed ${emulator} ${PROGRAM})

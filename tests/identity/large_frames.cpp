@@ -1,7 +1,7 @@
 #include "tests/identity/frames.hpp"
 
 #include "tests/identity/frame_run.hpp"
-#include "tests/system/renderer_scenes.hpp"
+#include "tests/renderer/scenes.hpp"
 
 namespace shade16::identity {
 

@@ -6,9 +6,9 @@ endif()
 
 set(quick_inputs 1000000)
 set(slow_inputs 100000)
-if(BOARD_MULTIPLIES_SLOWLY)
-  set(quick_inputs 100000)
-  set(slow_inputs 10000)
+if(BOARD_IDENTITY_INPUTS)  # a slow machine
+  set(quick_inputs ${BOARD_IDENTITY_INPUTS})
+  set(slow_inputs 1000)
 endif()
 if(SHADE16_IDENTITY_ALL)
   set(quick_inputs 1000000)

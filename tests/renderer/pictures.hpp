@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/system/renderer_frames.hpp"
+#include "tests/renderer/frames.hpp"
 
 namespace shade16::host {
 

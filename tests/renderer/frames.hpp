@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "host_sim/engine/runtime_renderer.hpp"
-#include "tests/system/renderer_scenes.hpp"
+#include "tests/renderer/scenes.hpp"
 
 namespace shade16::host {
 

@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "tests/system/renderer_frames.hpp"
+#include "tests/renderer/frames.hpp"
 
 namespace shade16::host {
 namespace {

@@ -1,5 +1,5 @@
 // One picture of the scenes lit at their pixels.
-#include "tests/system/renderer_pictures.hpp"
+#include "tests/renderer/pictures.hpp"
 
 namespace shade16::host {
 namespace {
