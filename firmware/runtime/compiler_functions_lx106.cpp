@@ -1,4 +1,4 @@
-// What GCC calls on an LX106 and Debian's libgcc lacks, as the ESP8266 has these functions in its ROM: multiplication, and division for tests.
+// What GCC calls on an LX106 and Debian's libgcc lacks, as the ESP8266 has these functions in its ROM: multiplication and division.
 #include <stdint.h>
 
 extern "C" {
@@ -25,4 +25,22 @@ uint64_t __udivdi3(uint64_t a, uint64_t b) {
     }
     return quotient;
 }
+
+/// Bit by bit, as above.
+uint32_t __udivsi3(uint32_t a, uint32_t b) {
+    uint32_t quotient = 0, rest = 0;
+    for (int bit = 31; bit >= 0; --bit) {
+        const uint32_t lost = rest >> 31;
+        rest = rest << 1 | (a >> bit & 1);
+        if (lost != 0 || rest >= b) rest -= b, quotient |= uint32_t{1} << bit;
+    }
+    return quotient;
+}
+uint32_t __umodsi3(uint32_t a, uint32_t b) { return a - __udivsi3(a, b) * b; }
+int32_t __divsi3(int32_t a, int32_t b) {
+    const uint32_t x = a < 0 ? 0u - static_cast<uint32_t>(a) : static_cast<uint32_t>(a), y = b < 0 ? 0u - static_cast<uint32_t>(b) : static_cast<uint32_t>(b);
+    const uint32_t quotient = __udivsi3(x, y);
+    return static_cast<int32_t>((a < 0) != (b < 0) ? 0u - quotient : quotient);
+}
+int32_t __modsi3(int32_t a, int32_t b) { return a - __divsi3(a, b) * b; }
 }
