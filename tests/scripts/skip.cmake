@@ -21,13 +21,15 @@ macro(shade16_skip_without_file path hint)
   endif()
 endmacro()
 
-# shade16_skip_without_emulator(<program> [<argument>...]): one that is a script of node's needs its packages, too.
+# shade16_skip_without_emulator(<program> [<argument>...]): a script of node's may need packages, too.
 macro(shade16_skip_without_emulator program)
   shade16_skip_without_program(${program})
   foreach(word ${ARGN})
     if(word MATCHES "\\.mjs$")
       cmake_path(GET word PARENT_PATH folder)
-      shade16_skip_without_file(${folder}/node_modules "scripts/setup.sh installs it.")
+      if(EXISTS ${folder}/package.json)
+        shade16_skip_without_file(${folder}/node_modules "scripts/setup.sh installs it.")
+      endif()
     endif()
   endforeach()
 endmacro()
