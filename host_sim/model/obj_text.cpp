@@ -42,7 +42,7 @@ private:
         if (is_attribute(words[0])) {
             if (words[0] == "v") check_vertex(words);
             ++so_far_.of(words[0]);
-            pass_on(words);
+            pass_on(words.size() > 1 ? words : with_zero(words));
         } else if (words[0] == "f") {
             check_face(words);
         } else if (words[0] == "s") {
@@ -69,6 +69,12 @@ private:
     void pass_on(const std::vector<std::string_view>& words) {
         for (const std::string_view word : words) result_.lines.append(word).append(" ");
         result_.lines.back() = '\n';
+    }
+
+    /// tinyobjloader takes a bare 'vn' or 'vt' for nothing at all, and it would then count fewer than were counted here.
+    static std::vector<std::string_view> with_zero(std::vector<std::string_view> words) {
+        words.emplace_back("0");
+        return words;
     }
 
     void use_material(std::string_view name) {

@@ -101,6 +101,12 @@ TEST(ObjImport, normals_without_direction_are_replaced_and_counted) {
     EXPECT_THAT(model.warnings, ElementsAre("2 normals without a direction were replaced by the mean of their faces."));
 }
 
+TEST(ObjImport, a_normal_or_place_without_a_number_counts_as_zero) {
+    const Model model = imported(triangle + "vn\nvt\nvn 0 1 0\nvt 1 0\nf 1/2/2 2/1/1 3//2\n");
+    EXPECT_EQ(model.replaced_normals, 1u);
+    EXPECT_EQ(model.normals, (std::vector<Double3>{{0, 1, 0}, {0, 0, 1}, {0, 1, 0}}));
+}
+
 TEST(ObjImport, a_sheet_with_two_sides_has_two_normals) {
     const Model model = imported(triangle + "f 1 2 3\nf 1 3 2\n");
     EXPECT_EQ(model.positions.size(), 6u);
