@@ -1,3 +1,4 @@
+include(${CMAKE_CURRENT_LIST_DIR}/../qemu.cmake)
 set(BOARD_CORE "Cortex-M0+")
 set(BOARD_DISPLAY "none: frames are hashed")
 set(BOARD_TOOLCHAIN arm-none-eabi)
@@ -5,6 +6,5 @@ set(BOARD_STARTUP cortex_m)
 set(BOARD_CPU_FLAGS -mcpu=cortex-m0plus -mthumb)
 set(BOARD_OPTIMIZE -O2)
 set(BOARD_SCENES ON)
-set(BOARD_EMULATOR qemu-system-arm -M mps2-an385 -display none -monitor none -serial none -chardev stdio,id=text
-                   -semihosting-config enable=on,target=native,chardev=text -kernel)
+set(BOARD_EMULATOR qemu-system-arm -M mps2-an385 ${QEMU_SEMIHOSTING})
 set(BOARD_FRAMES_OF qemu_mps2_an385)

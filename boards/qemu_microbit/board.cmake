@@ -1,8 +1,8 @@
+include(${CMAKE_CURRENT_LIST_DIR}/../qemu.cmake)
 set(BOARD_CORE "Cortex-M0")
 set(BOARD_DISPLAY "none: frames are hashed")
 set(BOARD_TOOLCHAIN arm-none-eabi)
 set(BOARD_STARTUP cortex_m)
 set(BOARD_CPU_FLAGS -mcpu=cortex-m0 -mthumb)
 set(BOARD_OPTIMIZE -O2)
-set(BOARD_EMULATOR qemu-system-arm -M microbit -display none -monitor none -serial none -chardev stdio,id=text
-                   -semihosting-config enable=on,target=native,chardev=text -kernel)
+set(BOARD_EMULATOR qemu-system-arm -M microbit ${QEMU_SEMIHOSTING})

@@ -1,10 +1,10 @@
+include(${CMAKE_CURRENT_LIST_DIR}/../qemu.cmake)
 set(BOARD_CORE "RV32IMAC")
 set(BOARD_DISPLAY "bochs-display, 320x240, RGB565")
 set(BOARD_TOOLCHAIN riscv-none-elf)
 set(BOARD_STARTUP riscv)
 set(BOARD_CPU_FLAGS -march=rv32imac -mabi=ilp32 -mcmodel=medany)
 set(BOARD_OPTIMIZE -O2)
-set(BOARD_EMULATOR qemu-system-riscv32 -M virt -bios none -device bochs-display,romfile= -display none -monitor none -serial none -chardev stdio,id=text
-                   -semihosting-config enable=on,target=native,chardev=text -kernel)
+set(BOARD_EMULATOR qemu-system-riscv32 -M virt -bios none -device bochs-display,romfile= ${QEMU_SEMIHOSTING})
 set(BOARD_SCREEN_BITS 5 6 5)
 set(BOARD_FRAMES_OF qemu_mps2_an385)

@@ -13,7 +13,7 @@ void begin() {
     static bool has_begun = false;
     if (has_begun) return;
     has_begun = true;
-    rp2040::wake(rp2040::part::io_bank | rp2040::part::pads | rp2040::part::uart0);
+    rp2040::wake(rp2040::part::io_bank | rp2040::part::pads | rp2040::part::uart0);  // also where the clocks failed
     rp2040::assign(0, rp2040::Function::uart);
     Registers::write(uart + 0x24, 67), Registers::write(uart + 0x28, 52);  // 125 MHz / 16 / 67.8
     Registers::write(uart + 0x2C, 0x70), Registers::write(uart + 0x30, 0x301);

@@ -41,7 +41,7 @@ def tested(cmake: str) -> str:
     if not emulator:
         return "built"
     what = "frames" if "BOARD_TOO_SMALL_FOR_IDENTITY" in cmake else "frames and hashes"
-    where = "rp2040js" if emulator[0] == "node" else f"{emulator[0]} (`-M {emulator[emulator.index('-M') + 1]}`)"
+    where = "rp2040js" if emulator[0] == "${PICO_EMULATOR}" else f"{emulator[0]} (`-M {emulator[emulator.index('-M') + 1]}`)"
     shown = ", every pixel of a strict model of the panel" if "BOARD_SCREEN_MODEL" in cmake else ", every pixel of the screen"
     return f"{what} in {where}" + (shown if "BOARD_SCREEN_BITS" in cmake else "")
 

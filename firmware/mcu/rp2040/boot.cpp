@@ -1,8 +1,10 @@
 // Boot stage 2: the first 256 bytes of the flash, which the RP2040's ROM copies to RAM and runs if their last four are the CRC of the
-// others. It lets the flash be read as memory, by the command that every flash knows, and goes on at the vectors behind it.
+// others. It lets the flash be read as memory, by the command that every flash knows, and goes on at the vectors behind it. And the
+// clocks, which run before anything else of the program does.
 // Source: RP2040 Datasheet, Raspberry Pi Ltd: 2.8.1.3.1 (its checksum), 4.10 (SSI).
 #include <stddef.h>
-#include <stdint.h>
+
+#include <mcu/rp2040/chip.hpp>
 
 namespace shade16::rp2040 {
 
@@ -58,5 +60,8 @@ constexpr BootStage boot_stage = [] {
 }  // namespace
 
 extern "C" __attribute__((section(".boot2"), used)) const BootStage shade16_boot_stage = boot_stage;
+
+/// Constructors with a priority run first, and the display's and the console's clocks follow from these.
+__attribute__((constructor(101))) static void begin() { begin_clocks(); }
 
 }  // namespace shade16::rp2040

@@ -25,7 +25,6 @@ public:
     static constexpr uint32_t bus_hz = cpu_hz / divisor;
 
     void reset() {
-        begin_clocks<Port>();
         wake<Port>(part::spi0 | part::dma);
         assign<Port>(lines.clock, Function::spi), assign<Port>(lines.data, Function::spi);
         Select::begin(true), Command::begin(true), Reset::begin(true), Backlight::begin(false);
