@@ -18,7 +18,7 @@ endforeach()
 add_library(shade16_host_console OBJECT runtime/console.cpp runtime/console_host.cpp)
 target_include_directories(shade16_host_console PUBLIC ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR})
 # A host build can draw to files, and has no panels.
-target_compile_definitions(shade16_host_console PUBLIC SHADE16_FRAME_FILES SHADE16_HOST)
+target_compile_definitions(shade16_host_console PUBLIC SHADE16_FRAME_FILES SHADE16_NO_PANEL)
 target_link_libraries(shade16_host_console PUBLIC shade16::core PRIVATE shade16_warnings)
 
 function(shade16_build_app name source)

@@ -45,6 +45,14 @@ target_include_directories(decode_display PRIVATE ${PROJECT_SOURCE_DIR} ${PROJEC
 target_link_libraries(decode_display PRIVATE shade16::core shade16_warnings)
 add_dependencies(checks decode_display)
 
+# The chips of boards whose emulators lack what drives the display: each against a model of its registers.
+foreach(board_and_chip IN ITEMS "stm32f4_ili9341 stm32f4" "hifive1_st7735 fe310")
+  separate_arguments(board_and_chip)
+  list(POP_FRONT board_and_chip board chip)
+  shade16_add_test(${board}_tests unit chips/${board}_test.cpp chips/${chip}.cpp chips/console_throws.cpp displays/dcs_model.cpp)
+  target_include_directories(${board}_tests PRIVATE ${PROJECT_SOURCE_DIR}/firmware ${SHADE16_BOARDS_DIR}/${board})
+endforeach()
+
 # Adapters to other libraries, against stubs with their signatures.
 shade16_add_test(adapters_tests unit adapters/adapters_test.cpp)
 target_include_directories(adapters_tests PRIVATE ${PROJECT_SOURCE_DIR}/firmware ${CMAKE_CURRENT_SOURCE_DIR}/adapters/stubs)

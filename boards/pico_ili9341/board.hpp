@@ -9,7 +9,7 @@ namespace shade16 {
 struct Board : Pico {
     static constexpr const char* name = "pico_ili9341";
 
-    using Panel = DcsDisplay<rp2040::SpiDisplay<rp2040::DisplayLines{}, 32'000'000>, ili9341, Orientation{1}>;
+    using Panel = DcsDisplay<Bus<32'000'000>, ili9341, Orientation{1}>;
     static constexpr int width_px = Panel::width_px;
     static constexpr int height_px = Panel::height_px;
     SeenOn<Panel> display;

@@ -9,7 +9,7 @@ namespace shade16 {
 struct Board : Pico {
     static constexpr const char* name = "pico_st7789";
 
-    using Panel = DcsDisplay<rp2040::SpiDisplay<rp2040::DisplayLines{}, 62'500'000>, st7789_240x240>;
+    using Panel = DcsDisplay<Bus<62'500'000>, st7789_240x240>;
     static constexpr int width_px = Panel::width_px;
     static constexpr int height_px = Panel::height_px;
     SeenOn<Panel> display;

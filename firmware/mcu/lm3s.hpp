@@ -39,6 +39,7 @@ template <uint32_t CpuHz, uint32_t Hz, class Port = Registers>
 struct Ssi0 {
     static_assert(Hz > 0 && Hz <= CpuHz / 2, "the interface runs at half the processor's clock at most (data sheet, SSI, bit rate)");
     static constexpr uint32_t divisor = (CpuHz + Hz - 1) / Hz, even_divisor = (divisor + 1) & ~uint32_t{1};
+    static constexpr uint32_t hz = CpuHz / even_divisor;
     static_assert(even_divisor <= 254, "the interface divides the processor's clock by 254 at most (data sheet, SSI, CPSDVSR)");
 
     static void begin() {
@@ -64,10 +65,13 @@ private:
 /// The I2C master: bytes to a device of seven address bits.
 template <uint32_t CpuHz, class Port = Registers>
 struct I2c {
+    static constexpr uint32_t hz = 100'000;
+    static_assert(CpuHz >= 20 * hz && CpuHz <= 256 * 20 * hz, "the master divides the processor's clock by 20 to 5120 for 100 kHz (data sheet, I2C, TPR)");
+
     static void begin() {
         set_bits<Port>(detail::clock_gates_1, 1u << 12);
         Port::write(configuration, 1u << 4);              // master
-        Port::write(timer_period, CpuHz / (20 * 100'000) - 1);  // 100 kHz
+        Port::write(timer_period, CpuHz / (20 * hz) - 1);
     }
     /// A control byte and one that follows it, as displays take them.
     static void send(uint8_t device, uint8_t control, uint8_t byte) {

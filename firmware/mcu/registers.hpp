@@ -9,6 +9,8 @@ namespace shade16 {
 struct Registers {
     static uint32_t read(uint32_t address) { return *reinterpret_cast<volatile uint32_t*>(address); }
     static void write(uint32_t address, uint32_t value) { *reinterpret_cast<volatile uint32_t*>(address) = value; }
+    /// How the chip's own DMA calls a piece of memory.
+    static uint32_t address_of(const void* memory) { return static_cast<uint32_t>(reinterpret_cast<uintptr_t>(memory)); }
 };
 
 /// Sets bits of a register and leaves the others.

@@ -1,12 +1,13 @@
 // The display of an emulated board: every band is hashed, so that two machines can compare what they draw, and shown on the panel that
-// the board has. `Format` is the panel's own, or that dithered. A computer that runs the board's app has no such panel.
+// the board has. `Format` is the panel's own, or that dithered. A computer that runs the board's app has no such panel, and neither have some
+// emulators.
 #pragma once
 
 #include <runtime/hash_sink.hpp>
 
 namespace shade16 {
 
-#ifdef SHADE16_HOST
+#ifdef SHADE16_NO_PANEL
 template <class Panel, class Format = typename Panel::Pixel>
 using SeenOn = HashSinkOf<Format>;
 #else

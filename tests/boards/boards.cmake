@@ -5,10 +5,24 @@ set(SHADE16_BOARD_BUILDS ${PROJECT_SOURCE_DIR}/build CACHE PATH "Where the board
 # the same screen; the scenes, which have their own, wherever a board has the memory for them.
 function(shade16_same_on_board board app host_program)
   include(${SHADE16_BOARDS_DIR}/${board}/board.cmake)
+  if(app MATCHES "_panel$")
+    set(BOARD_EMULATOR python3 -B ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/until_exit.py ${BOARD_PANEL_EMULATOR})
+  endif()
   list(JOIN BOARD_EMULATOR " " emulator)
   shade16_add_script_test(same_on_board.${app}.${board} LABEL boards SCRIPT boards/same_on_board.cmake
     BOARD=${board} "EMULATOR=${emulator}" IMAGE=${SHADE16_BOARD_BUILDS}/${board}/firmware/${app}.elf
     HOST_PROGRAM=$<TARGET_FILE:${host_program}>)
+endfunction()
+
+# Whether an emulator takes the board's own image, with its clocks, its panel's driver and its serial line.
+function(shade16_runs_panel_image board result)
+  set(BOARD_PANEL_EMULATOR)
+  set(BOARD_PANEL_STOPS)
+  include(${SHADE16_BOARDS_DIR}/${board}/board.cmake)
+  set(${result} FALSE PARENT_SCOPE)
+  if(BOARD_PANEL_EMULATOR AND NOT BOARD_PANEL_STOPS)
+    set(${result} TRUE PARENT_SCOPE)
+  endif()
 endfunction()
 
 function(shade16_has_scenes board result)
@@ -35,6 +49,10 @@ foreach(board IN LISTS boards)
     shade16_same_on_board(${board} ${app} ${app}_${board})
   endforeach()
   shade16_screen_test(${board} turntable_${board})
+  shade16_runs_panel_image(${board} runs_panel_image)
+  if(runs_panel_image)
+    shade16_same_on_board(${board} turntable_panel turntable_${board})
+  endif()
   shade16_has_scenes(${board} has_scenes)
   if(has_scenes)
     foreach(scene IN LISTS scenes)
@@ -50,5 +68,7 @@ shade16_add_script_test(wrong_screens_are_found LABEL boards SCRIPT budget/run_p
 # A folder is a board: its presets are made of it.
 shade16_add_script_test(board_presets_are_fresh LABEL system SCRIPT budget/run_python.cmake
   PROGRAM=${PROJECT_SOURCE_DIR}/scripts/boards/presets.py)
+shade16_add_script_test(bus_table_is_fresh LABEL system SCRIPT budget/run_python.cmake
+  PROGRAM=${PROJECT_SOURCE_DIR}/scripts/boards/bus.py)
 shade16_add_script_test(board_table_is_fresh LABEL system SCRIPT budget/run_python.cmake
   PROGRAM=${PROJECT_SOURCE_DIR}/scripts/boards/table.py)

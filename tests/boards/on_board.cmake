@@ -5,3 +5,10 @@ if(BOARD_UF2)
       PROGRAM=${CMAKE_CURRENT_LIST_DIR}/check_uf2.py "ARGUMENTS=${PROJECT_BINARY_DIR}/firmware/${app}.bin ${PROJECT_BINARY_DIR}/firmware/${app}.uf2")
   endforeach()
 endif()
+
+# The board's own image, where an emulator has a part of what it needs: it must say what is missing.
+if(BOARD_PANEL_STOPS)
+  list(JOIN BOARD_PANEL_EMULATOR " " panel_emulator)
+  shade16_add_script_test(panel_image_stops LABEL boards SCRIPT boards/stops.cmake
+    "EMULATOR=${panel_emulator}" IMAGE=$<TARGET_FILE:turntable_panel> "SENTENCE=${BOARD_PANEL_STOPS}")
+endif()

@@ -68,6 +68,7 @@ void assign(unsigned line, Function function) {
 template <unsigned Line, class Port = Registers>
 struct Output {
     static_assert(Line <= 29, "this chip has the lines 0 to 29 (RP2040 datasheet, table 2)");
+    static constexpr int number = Line;
     static void begin(bool high) {
         set(high);
         Port::write(detail::output + 0x24, mask);  // an output

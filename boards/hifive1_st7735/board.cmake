@@ -1,0 +1,13 @@
+include(${CMAKE_CURRENT_LIST_DIR}/../qemu.cmake)
+set(BOARD_CORE "RV32IMAC")
+set(BOARD_DISPLAY "ST7735, 128x160, SPI at 14.2 MHz")
+set(BOARD_TOOLCHAIN riscv-none-elf)
+set(BOARD_STARTUP riscv)
+set(BOARD_CHIP fe310)
+set(BOARD_CONSOLE uart)
+set(BOARD_CPU_FLAGS -march=rv32imac -mabi=ilp32 -mcmodel=medany)
+set(BOARD_OPTIMIZE -O2)
+# QEMU has the processor, the memory, the clocks and the serial line. Where SPI is, it reads zeros: bytes go nowhere.
+set(BOARD_EMULATOR qemu-system-riscv32 -M sifive_e ${QEMU_SEMIHOSTING})
+set(BOARD_EMULATED_CONSOLE semihosting)
+set(BOARD_PANEL_EMULATOR qemu-system-riscv32 -M sifive_e ${QEMU_SERIAL_0})

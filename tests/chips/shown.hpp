@@ -1,0 +1,58 @@
+// What the tests of a board's wires do: send a picture and look at the panel.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "tests/chips/chip.hpp"
+#include "tests/displays/turned.hpp"
+
+namespace shade16::chips {
+
+/// Any exchange of pixels, bits or bytes shows.
+inline displays::Seen noise(int width, int height) {
+    displays::Seen picture{width, height, {}};
+    std::mt19937 engine(7);
+    for (int i = 0; i < width * height; ++i) picture.pixels.push_back(static_cast<uint16_t>(engine()));
+    return picture;
+}
+
+/// Sends a picture in bands, two buffers in turn, as present() does. A buffer that is free again is written over at once.
+template <class Display>
+void send(Display& display, const displays::Seen& picture, int band_rows) {
+    std::vector<typename Display::Pixel::Pixel> buffers[2];
+    int turn = 0;
+    for (int y = 0; y < picture.height; y += band_rows, turn = 1 - turn) {
+        const int rows = std::min(band_rows, picture.height - y);
+        auto& band = buffers[turn];
+        band.clear();
+        for (int i = y * picture.width; i < (y + rows) * picture.width; ++i) band.push_back(Display::Pixel::from_rgb565(picture.pixels[static_cast<size_t>(i)]));
+        display.wait();
+        std::fill(buffers[1 - turn].begin(), buffers[1 - turn].end(), 0);
+        display.flush({0, y, picture.width, rows}, band.data(), band.size() * 2, y + rows == picture.height);
+    }
+    display.wait();
+}
+
+template <class Chip>
+void expect_shown(const Chip& chip, displays::DcsModel& panel, const displays::Seen& picture, Orientation o) {
+    panel.end();
+    EXPECT_EQ(chip.complaint(), "");
+    EXPECT_EQ(panel.complaint(), "");
+    EXPECT_TRUE(panel.seen() == displays::turned(picture, o));
+}
+
+/// What a driver says when it gives up.
+template <class Action>
+std::string sentence_of(Action action) {
+    try {
+        action();
+    } catch (const Stopped& stopped) {
+        return stopped.what();
+    }
+    return "";
+}
+
+}  // namespace shade16::chips
