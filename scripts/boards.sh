@@ -1,22 +1,54 @@
 #!/usr/bin/env bash
-# Makes boards/presets.json and the table of docs/boards.md of the folders under boards/.
-# usage: scripts/boards.sh              the presets and the table
+# Makes boards/presets.json and the tables of docs/boards.md of the folders under boards/.
+# usage: scripts/boards.sh              the presets and the tables
 #        scripts/boards.sh --pictures   builds the boards whose displays an emulator shows, and takes their pictures for the page
+#        scripts/boards.sh --bench      builds every emulated board's bench, and records what it prints in tests/budget/cycles.csv
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-python3 -B scripts/boards/presets.py --write
-python3 -B scripts/boards/table.py --write
-[[ ${1:-} == --pictures ]] || exit 0
 
-scripts/setup.sh
-cmake --preset host >/dev/null
-cmake --build --preset host --target decode_display >/dev/null
-for folder in boards/*/; do
-  board=$(basename "$folder")
-  grep -q BOARD_SCREEN_BITS "$folder/board.cmake" || continue
-  cmake --preset "$board" >/dev/null
-  cmake --build --preset "$board" --target turntable >/dev/null
-  cmake --build --preset host --target "turntable_$board" >/dev/null
-  cmake -DBOARD="$board" -DHOST_PROGRAM="build/host/firmware/turntable_$board" -DIMAGE="build/$board/firmware/turntable.elf" \
-    -DDECODER=build/host/tests/decode_display -DKEEP="docs/img/boards/$board.png" -P tests/boards/screen.cmake
-done
+case ${1:-} in
+  "" | --pictures | --bench) ;;
+  *) echo "scripts/boards.sh $1: expected --pictures, --bench or nothing." >&2; exit 2 ;;
+esac
+
+make_tables() {
+  python3 -B scripts/boards/presets.py --write
+  python3 -B scripts/boards/table.py --write
+  python3 -B scripts/boards/bus.py --write
+}
+build() {
+  local log
+  cmake --preset "$1" >/dev/null
+  log=$(cmake --build --preset "$1" --target "$2") || { echo "$log" >&2; return 1; }
+}
+
+take_pictures() {
+  build host decode_display
+  local folder board
+  for folder in boards/*/; do
+    board=$(basename "$folder")
+    grep -q BOARD_SCREEN_BITS "$folder/board.cmake" || continue
+    build "$board" turntable
+    build host "turntable_$board"
+    cmake -DBOARD="$board" -DHOST_PROGRAM="build/host/firmware/turntable_$board" -DIMAGE="build/$board/firmware/turntable.elf" \
+      -DDECODER=build/host/tests/decode_display -DKEEP="docs/img/boards/$board.png" -P tests/boards/screen.cmake
+  done
+}
+
+record_bench() {
+  local file board emulator
+  for file in boards/*/board.cmake; do
+    grep -q BOARD_EMULATOR "$file" || continue
+    board=$(basename "$(dirname "$file")")
+    build "$board" bench
+    read -r -a emulator < <(cmake -DBOARD_FILE="$file" -P scripts/bench/emulator.cmake)
+    python3 -B scripts/boards/bench.py --bless "$board" "build/$board/firmware/bench.elf" "${emulator[@]}"
+  done
+}
+
+make_tables
+if [[ $# -gt 0 ]]; then
+  scripts/setup.sh
+  if [[ $1 == --pictures ]]; then take_pictures; else record_bench; fi
+  make_tables
+fi

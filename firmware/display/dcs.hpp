@@ -4,7 +4,7 @@
 #pragma once
 
 #include <display/command_list.hpp>
-#include <shade16/shade16.hpp>
+#include <display/wire.hpp>
 
 namespace shade16 {
 
@@ -84,6 +84,9 @@ class DcsDisplay {
 public:
     using Pixel = typename Bus::Format;
     static constexpr int width_px = turned ? panel.height_px : panel.width_px, height_px = turned ? panel.width_px : panel.height_px;
+
+    /// Eleven bytes of window before each band.
+    static constexpr Wire wire(int bands) { return {static_cast<uint32_t>(8 * 11 * bands + 16 * width_px * height_px), Bus::bus_hz}; }
 
     constexpr explicit DcsDisplay(Bus bus = {}) : bus_(bus) {
         bus_.reset();

@@ -13,6 +13,8 @@ public:
     using Pixel = Mono1;
     static constexpr int width_px = 96, height_px = 16;
 
+    static constexpr Wire wire(int) { return {static_cast<uint32_t>((3 + width_px) * height_px / 8) * i2c_bits_a_byte, I2c::hz}; }
+
     Ssd0303() {
         I2c::begin();
         for (const uint8_t byte : beginning) command(byte);

@@ -2,7 +2,7 @@
 // Source: SSD0323 data sheet, section 9, command table.
 #pragma once
 
-#include <shade16/shade16.hpp>
+#include <display/wire.hpp>
 
 namespace shade16 {
 
@@ -12,6 +12,8 @@ class Ssd0323 {
 public:
     using Pixel = Gray4;
     static constexpr int width_px = 128, height_px = 64;
+
+    static constexpr Wire wire(int bands) { return {static_cast<uint32_t>(8 * 6 * bands + 4 * width_px * height_px), Spi::hz}; }
 
     Ssd0323() {
         Spi::begin(), DataLine::begin(), SelectLine::begin();

@@ -15,6 +15,8 @@ public:
     using Pixel = Mono1;
     static constexpr int width_px = 128, height_px = Height;
 
+    static constexpr Wire wire(int bands) { return {static_cast<uint32_t>(6 * bands + width_px * height_px / 8) * i2c_bits_a_byte, I2c::hz}; }
+
     Ssd1306() {
         I2c::begin();
         for (const uint8_t byte : beginning) command(byte);

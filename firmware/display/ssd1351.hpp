@@ -29,6 +29,8 @@ public:
     using Pixel = typename Bus::Format;
     static constexpr int width_px = 128, height_px = 128;
 
+    static constexpr Wire wire(int bands) { return {static_cast<uint32_t>(8 * 7 * bands + 16 * width_px * height_px), Bus::bus_hz}; }
+
     constexpr explicit Ssd1351(Bus bus = {}) : bus_(bus) {
         bus_.reset();
         run_commands(bus_, ssd1351::beginning, sizeof(ssd1351::beginning));

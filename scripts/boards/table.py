@@ -9,8 +9,7 @@ import sys
 from math import prod
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-BEGIN, END = "<!-- boards: made by scripts/boards.sh -->\n", "<!-- end -->\n"
+from page import ROOT, keep_table
 
 
 def cmake_value(text: str, name: str) -> str:
@@ -19,9 +18,12 @@ def cmake_value(text: str, name: str) -> str:
 
 
 def number(header: Path, name: str) -> int:
-    """A constant of struct Board, or of the header that it inherits from."""
+    """A constant of struct Board, of the header that it inherits from, or of its chip."""
     text = header.read_text()
-    match = re.search(rf"\b{name} = ([\d' *-]+);", text)
+    chip = re.search(rf"\b{name} = (\w+)::{name};", text)
+    if chip:
+        return number(ROOT / "firmware" / "mcu" / chip.group(1) / "chip.hpp", name)
+    match = re.search(rf"\b{name} = ([\d' *-]+)[;,]", text)
     if match:
         less = [[int(factor) for factor in product.split("*")] for product in match.group(1).replace("'", "").split("-")]
         first, *rest = [prod(factors) for factors in less]
@@ -42,6 +44,8 @@ def tested(cmake: str) -> str:
         return "built"
     what = "frames" if "BOARD_TOO_SMALL_FOR_IDENTITY" in cmake else "frames and hashes"
     where = "rp2040js" if emulator[0] == "${PICO_EMULATOR}" else f"{emulator[0]} (`-M {emulator[emulator.index('-M') + 1]}`)"
+    if "BOARD_EMULATED_CONSOLE" in cmake:
+        return f"{what} in {where}, every pixel of strict models of the chip and the panel"
     shown = ", every pixel of a strict model of the panel" if "BOARD_SCREEN_MODEL" in cmake else ", every pixel of the screen"
     return f"{what} in {where}" + (shown if "BOARD_SCREEN_BITS" in cmake else "")
 
@@ -56,19 +60,5 @@ def rows() -> list[str]:
     return lines
 
 
-def main() -> int:
-    page = ROOT / "docs" / "boards.md"
-    text = page.read_text()
-    before, rest = text.split(BEGIN)
-    after = rest.split(END)[1]
-    fresh = before + BEGIN + "\n".join(rows()) + "\n" + END + after
-    if sys.argv[1:] == ["--write"]:
-        page.write_text(fresh)
-    elif fresh != text:
-        print("The table in docs/boards.md is not that of the folders under boards/; run 'scripts/boards.sh'.", file=sys.stderr)
-        return 1
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(keep_table("boards", rows()))

@@ -4,10 +4,18 @@ if(BOARD_SCENES)
   get_property(scenes GLOBAL PROPERTY SHADE16_SCENES)
   list(TRANSFORM scenes PREPEND scene_ OUTPUT_VARIABLE scene_apps)
 endif()
-foreach(app IN LISTS apps scene_apps)
+get_property(panel_images GLOBAL PROPERTY SHADE16_PANEL_IMAGES)
+foreach(app IN LISTS apps panel_images scene_apps ITEMS bench)
   shade16_add_script_test(forbidden_symbols.${app} LABEL budget SCRIPT budget/forbidden_symbols.cmake
     NM=${CMAKE_NM} IMAGE=$<TARGET_FILE:${app}>)
 endforeach()
+
+# What a frame of the turntable takes, by stage.
+if(BOARD_EMULATOR)
+  list(JOIN BOARD_EMULATOR " " emulator)
+  shade16_add_script_test(bench LABEL budget SCRIPT budget/run_python.cmake PROGRAM=${PROJECT_SOURCE_DIR}/scripts/boards/bench.py
+    "ARGUMENTS=${BOARD} $<TARGET_FILE:bench> ${emulator}")
+endif()
 
 # A check that cannot fail proves nothing: this image breaks the rules, and every broken rule must be named.
 shade16_add_image(rule_breaker ${CMAKE_CURRENT_SOURCE_DIR}/budget/rule_breaker.cpp)
