@@ -21,7 +21,7 @@ Real lowered(F whole, uint64_t i, uint64_t last) {
 
 template <int Bits>
 double rsqrt_entry(uint64_t i) {
-    const auto& table = detail::rsqrt_table<Bits>;
+    const auto& table = detail::rsqrt_table<Bits>();
     const Real x = static_cast<Real>(table.first + i), f = 32768 / std::sqrt(std::ldexp(x, -Bits));
     return off(table.y[i], std::fmin(f - f * 3 / (64 * x * x), 65533.0L));
 }

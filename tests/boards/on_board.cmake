@@ -12,3 +12,10 @@ if(BOARD_PANEL_STOPS)
   shade16_add_script_test(panel_image_stops LABEL boards SCRIPT boards/stops.cmake
     "EMULATOR=${panel_emulator}" IMAGE=$<TARGET_FILE:turntable_panel> "SENTENCE=${BOARD_PANEL_STOPS}")
 endif()
+
+# A chip's flash makes the processor wait: the engine's tables can be among the variables, and draw the same frames.
+if(BOARD_CHIP)
+  shade16_add_image(tables_in_ram ${PROJECT_SOURCE_DIR}/firmware/apps/turntable.cpp)
+  target_compile_definitions(tables_in_ram PRIVATE SHADE16_TABLES_IN_RAM)
+  shade16_add_script_test(tables_in_ram.are_there LABEL boards SCRIPT boards/tables_in_ram.cmake NM=${CMAKE_NM} IMAGE=$<TARGET_FILE:tables_in_ram>)
+endif()

@@ -17,6 +17,10 @@ if(BOARD)
         APP=${app} BOARD=${frames_of} "EMULATOR=${emulator}" PROGRAM=$<TARGET_FILE:${app}>)
     endif()
   endforeach()
+  if(TARGET tables_in_ram)
+    shade16_add_script_test(golden.tables_in_ram LABEL golden SCRIPT golden/check.cmake
+      APP=turntable BOARD=${frames_of} "EMULATOR=${emulator}" PROGRAM=$<TARGET_FILE:tables_in_ram>)
+  endif()
   return()
 endif()
 

@@ -40,8 +40,8 @@ SHADE16_INLINE constexpr uint32_t taylor_factor(uint32_t xx, uint32_t reciprocal
     return (uint32_t{1} << 31) - mulhi(mulhi(xx, next), reciprocal);
 }
 /// The divisors of the series of sin(x)/x and of cos(x), the last factor first.
-inline constexpr uint32_t sine_reciprocals[5] = {0x0253C825, 0x038E38E4, 0x06186186, 0x0CCCCCCD, 0x2AAAAAAB};
-inline constexpr uint32_t cosine_reciprocals[5] = {0x02D82D83, 0x04924925, 0x08888889, 0x15555555, 0x80000000};
+SHADE16_TABLE uint32_t sine_reciprocals[5] = {0x0253C825, 0x038E38E4, 0x06186186, 0x0CCCCCCD, 0x2AAAAAAB};
+SHADE16_TABLE uint32_t cosine_reciprocals[5] = {0x02D82D83, 0x04924925, 0x08888889, 0x15555555, 0x80000000};
 }  // namespace detail
 
 inline constexpr Ulps sincos_max_error = 1.26_ulps;  // of Q30: 1.2e-9

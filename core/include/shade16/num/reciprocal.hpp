@@ -25,7 +25,7 @@ struct ReciprocalTable {
         }
     }
 };
-inline constexpr ReciprocalTable reciprocal_table{};
+SHADE16_TABLE ReciprocalTable reciprocal_table{};
 }  // namespace detail
 
 /// Relative errors, in units of 2^-32: of the table's line, and of the whole.

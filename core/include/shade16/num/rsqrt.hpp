@@ -35,8 +35,13 @@ struct RsqrtTable {
         }
     }
 };
+SHADE16_TABLE RsqrtTable<6> rsqrt_table_49{};
+SHADE16_TABLE RsqrtTable<7> rsqrt_table_97{};
 template <int Bits>
-inline constexpr RsqrtTable<Bits> rsqrt_table{};
+SHADE16_INLINE constexpr const RsqrtTable<Bits>& rsqrt_table() {
+    if constexpr (Bits == 6) return rsqrt_table_49;
+    else return rsqrt_table_97;
+}
 }  // namespace detail
 
 /// Relative errors of the three forms, in units of 2^-32.
@@ -51,7 +56,7 @@ inline constexpr uint32_t rsqrt_newton_max_error = 240;  // 5.6e-8
 /// Source  linear interpolation between entries that are lowered by a sixteenth of the second difference.
 template <int Bits>
 SHADE16_INLINE constexpr uint32_t rsqrt_linear(uint32_t s) {
-    const auto& table = detail::rsqrt_table<Bits>;
+    const auto& table = detail::rsqrt_table<Bits>();
     const uint32_t index = (s >> (32 - Bits)) - table.first;
     const uint32_t fraction = (s << Bits) >> 16;
     const uint32_t a = table.y[index], b = table.y[index + 1];

@@ -26,8 +26,8 @@ struct MiddleExpTable {
         for (uint64_t i = 0; i < 32; ++i) y[i] = exp2_negative((uint64_t{1} << 48) - ((2 * i + 1) << 42));
     }
 };
-inline constexpr MiddleLogTable middle_log_table{};
-inline constexpr MiddleExpTable middle_exp_table{};
+SHADE16_TABLE MiddleLogTable middle_log_table{};
+SHADE16_TABLE MiddleExpTable middle_exp_table{};
 
 inline constexpr uint32_t log2_of_normalized_max_error = 3;  // of 2^-32
 inline constexpr uint32_t scaled_exp2_of_fraction_max_error = 8;  // relative, of 2^-32

@@ -45,8 +45,8 @@ struct ExpTable {
 };
 /// Of an entry, in its units, whose power and whose second difference are whole numbers before they are summed.
 inline constexpr Ulps shared_table_max_error = 0.5_ulps;
-inline constexpr LogTable log_table{};
-inline constexpr ExpTable exp_table{};
+SHADE16_TABLE LogTable log_table{};
+SHADE16_TABLE ExpTable exp_table{};
 
 /// Linear interpolation at position / 2^32 of a table.
 template <class Table>

@@ -21,9 +21,9 @@ constexpr uint32_t first_with_same_shininess(const Scene& scene, uint32_t object
     return object;
 }
 
-/// One table a distinct exponent, in flash.
+/// One table a distinct exponent.
 template <PrecisionTier Tier, Q16 Exponent>
-inline constexpr Shininess<Tier> shininess_in_flash = shininess<Tier>(Exponent);
+SHADE16_TABLE_OF_TEMPLATE Shininess<Tier> shininess_table = shininess<Tier>(Exponent);
 
 template <const Scene& scene, PrecisionTier Tier>
 struct ShininessOfScene {
@@ -35,7 +35,7 @@ private:
     template <uint32_t I>
     constexpr void fill() {
         if constexpr (I < scene.objects.count) {
-            if constexpr (has_specular(scene, scene.objects[I].material)) table[I] = &shininess_in_flash<Tier, scene.objects[I].material.shininess>;
+            if constexpr (has_specular(scene, scene.objects[I].material)) table[I] = &shininess_table<Tier, scene.objects[I].material.shininess>;
             fill<I + 1>();
         }
     }

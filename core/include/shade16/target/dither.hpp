@@ -28,7 +28,7 @@ consteval BayerMatrix make_bayer(int side) {
 }
 }  // namespace detail
 
-inline constexpr BayerMatrix bayer4 = detail::make_bayer(4), bayer8 = detail::make_bayer(8);
+SHADE16_TABLE BayerMatrix bayer4 = detail::make_bayer(4), bayer8 = detail::make_bayer(8);
 
 /// A format whose channels are dithered. Colours are stepped by the policy `exact` whatever the tier.
 /// Error   less than one code from the exact colour, and the stepping bound; the mean of a tile is within half a threshold's

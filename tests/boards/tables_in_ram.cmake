@@ -1,0 +1,17 @@
+# With -DSHADE16_TABLES_IN_RAM every table of the engine lies in RAM: none of its symbols is among the code.
+cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/../scripts/run.cmake)
+
+shade16_run(symbols ${NM} --demangle ${IMAGE})
+set(found 0)
+foreach(table IN ITEMS log_table exp_table rsqrt_table_49 reciprocal_table "shininess_table<")
+  string(REGEX MATCH "[0-9a-f]+ ([A-Za-z]) shade16::detail::${table}[^\n]*" line "${symbols}")
+  if(line AND NOT CMAKE_MATCH_1 MATCHES "^[DdBbVu]$")
+    message(FATAL_ERROR "'${line}' is not in RAM.")
+  elseif(line)
+    math(EXPR found "${found} + 1")
+  endif()
+endforeach()
+if(found LESS 3)
+  message(FATAL_ERROR "${IMAGE} has ${found} of the engine's tables; expected three at least.")
+endif()
