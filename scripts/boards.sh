@@ -2,7 +2,8 @@
 # Makes boards/presets.json and the tables of docs/boards.md of the folders under boards/.
 # usage: scripts/boards.sh              the presets and the tables
 #        scripts/boards.sh --pictures   builds the boards whose displays an emulator shows, and takes their pictures for the page
-#        scripts/boards.sh --bench      builds every emulated board's bench, and records what it prints in tests/budget/cycles.csv
+#        scripts/boards.sh --bench [<board>...]    builds the emulated boards' bench, or those boards' alone, and records what it prints in
+#                                                   tests/budget/cycles.csv
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -37,9 +38,10 @@ take_pictures() {
 
 record_bench() {
   local file board emulator
-  for file in boards/*/board.cmake; do
-    grep -q BOARD_EMULATOR "$file" || continue
-    board=$(basename "$(dirname "$file")")
+  [[ $# -gt 0 ]] || set -- $(grep -l BOARD_EMULATOR boards/*/board.cmake | xargs -n 1 dirname | xargs -n 1 basename)
+  for board in "$@"; do
+    file=boards/$board/board.cmake
+    [[ -e $file ]] || { echo "scripts/boards.sh --bench $board: there is no $file." >&2; exit 2; }
     build "$board" bench
     read -r -a emulator < <(cmake -DBOARD_FILE="$file" -P scripts/bench/emulator.cmake)
     python3 -B scripts/boards/bench.py --bless "$board" "build/$board/firmware/bench.elf" "${emulator[@]}"
@@ -49,6 +51,6 @@ record_bench() {
 make_tables
 if [[ $# -gt 0 ]]; then
   scripts/setup.sh
-  if [[ $1 == --pictures ]]; then take_pictures; else record_bench; fi
+  if [[ $1 == --pictures ]]; then take_pictures; else record_bench "${@:2}"; fi
   make_tables
 fi

@@ -54,14 +54,22 @@ foreach(app IN LISTS apps)
     shade16_add_script_test(missing_golden_fails.${app}.${board} LABEL golden SCRIPT golden/missing_golden.cmake
       APP=${app} BOARD=${board} PROGRAM=$<TARGET_FILE:${app}_${board}> SCRATCH=${scratch}_missing)
     list(APPEND bless_rows ${app} ${board} $<TARGET_FILE:${app}_${board}>)
+    list(APPEND bless_programs ${app}_${board})
   endforeach()
 endforeach()
 
 # Accepts today's frames, and leaves the changed ones in out/bless/, before, after and their difference, for the review.
-add_custom_target(bless
+if(TARGET golden_pictures)
+  list(APPEND bless_programs golden_pictures)
+endif()
+add_custom_target(bless_frames
   COMMAND ${CMAKE_COMMAND} -DTOOL=${pictures_tool} -DCHANGED=${changed_pictures}
           -DSCRATCH=${CMAKE_CURRENT_BINARY_DIR}/golden/bless
           -P ${CMAKE_CURRENT_SOURCE_DIR}/golden/bless.cmake -- ${bless_rows}
-  DEPENDS checks
+  DEPENDS ${bless_programs}
   COMMENT "Rewriting tests/golden/frames.txt and tests/golden/frames/"
   VERBATIM)
+
+# The same, and tests/identity/hashes.txt as well.
+add_custom_target(bless)
+add_dependencies(bless bless_frames)
