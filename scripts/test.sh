@@ -2,14 +2,15 @@
 # Builds and tests everything: the boards, two compilers, the sanitizers, the fuzzers, and last the full host run with its summary.
 # A missing tool skips its tests; SHADE16_REQUIRE_ALL=1 makes it a failure.
 # usage: scripts/test.sh            everything
+#        scripts/test.sh boards     every board built, every emulated one run, and what it draws and shows compared with this computer
 #        scripts/test.sh errors     what is about errors alone: bounds, promises, proofs, extremes, identity of bits, fuzzers;
 #                                    not the tests of the programs
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 case ${1:-everything} in
-  everything | errors) share=${1:-everything} ;;
-  *) echo "scripts/test.sh $1: expected errors, or nothing for every test." >&2; exit 2 ;;
+  everything | boards | errors) share=${1:-everything} ;;
+  *) echo "scripts/test.sh $1: expected boards, errors, or nothing for every test." >&2; exit 2 ;;
 esac
 
 scripts/setup.sh
@@ -51,12 +52,20 @@ if [[ $share == errors ]]; then
   exit
 fi
 
-mapfile -t boards < <(emulated_boards)
-for board in "${boards[@]}"; do
+for folder in boards/*/; do
+  board=$(basename "$folder")
   say "$board"
   build "$board"
 done
+mapfile -t boards < <(emulated_boards)
 test_boards . "${boards[@]}"
+
+if [[ $share == boards ]]; then
+  say "host, against the boards"
+  build host --target board_checks
+  ctest --preset host --label-regex boards
+  exit
+fi
 
 say "host, clang"
 build host-clang

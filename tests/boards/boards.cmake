@@ -1,6 +1,9 @@
 # Boards against this computer: what they print, and what they show.
 set(SHADE16_BOARD_BUILDS ${PROJECT_SOURCE_DIR}/build CACHE PATH "Where the boards are built: one folder a board")
 
+# Builds this computer's side of the comparisons.
+add_custom_target(board_checks)
+
 # The same app, the same words, on the board and here: the apps that a board gives its screen, with the program that has
 # the same screen; the scenes, which have their own, wherever a board has the memory for them.
 function(shade16_same_on_board board app host_program)
@@ -9,6 +12,7 @@ function(shade16_same_on_board board app host_program)
     set(BOARD_EMULATOR python3 -B ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/until_exit.py ${BOARD_PANEL_EMULATOR})
   endif()
   list(JOIN BOARD_EMULATOR " " emulator)
+  add_dependencies(board_checks ${host_program})
   shade16_add_script_test(same_on_board.${app}.${board} LABEL boards SCRIPT boards/same_on_board.cmake
     BOARD=${board} "EMULATOR=${emulator}" IMAGE=${SHADE16_BOARD_BUILDS}/${board}/firmware/${app}.elf
     HOST_PROGRAM=$<TARGET_FILE:${host_program}>)
@@ -35,6 +39,7 @@ function(shade16_screen_test board host_program)
   set(BOARD_SCREEN_BITS)
   include(${SHADE16_BOARDS_DIR}/${board}/board.cmake)
   if(BOARD_SCREEN_BITS)
+    add_dependencies(board_checks decode_display)
     shade16_add_script_test(screen_shows_the_frame.${board} LABEL boards SCRIPT boards/screen.cmake BOARD=${board}
       IMAGE=${SHADE16_BOARD_BUILDS}/${board}/firmware/turntable.elf HOST_PROGRAM=$<TARGET_FILE:${host_program}>
       KEPT=${PROJECT_SOURCE_DIR}/docs/img/boards/${board}.png DECODER=$<TARGET_FILE:decode_display>)
