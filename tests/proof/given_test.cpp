@@ -31,7 +31,7 @@ TEST(Given, TheLineOf49EntriesForEveryArgument) {
         largest = std::max(largest, rsqrt_linear<6>(first));
     }
     EXPECT_LE(worst, rsqrt_49_max_error);
-    EXPECT_LE(largest, *std::max_element(std::begin(detail::rsqrt_table<6>.y), std::end(detail::rsqrt_table<6>.y)));
+    EXPECT_LE(largest, *std::max_element(std::begin(detail::rsqrt_table_49.y), std::end(detail::rsqrt_table_49.y)));
 }
 
 TEST(Given, TheReciprocalsLineForEveryArgument) {
