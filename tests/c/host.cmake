@@ -1,0 +1,22 @@
+# The engine for C and for Rust on this computer. Included after programs.cmake.
+set(c_dir ${CMAKE_CURRENT_LIST_DIR})
+
+# shade16_c_same_frames(<library> <format> <board> <screen>...): the turntable in C prints what the C++ app with that board's screen prints.
+function(shade16_c_same_frames library format board)
+  set(name c_turntable_${format})
+  add_executable(${name} ${c_dir}/turntable.c ${c_dir}/print_host.c)
+  shade16_c_turntable(${name} ${library} ${format} ${ARGN})
+  set_target_properties(${name} PROPERTIES LINKER_LANGUAGE C)
+  add_dependencies(checks ${name} turntable_${board})
+  shade16_add_script_test(c.frames.${format} LABEL c SCRIPT c/same_text.cmake
+    PROGRAM=$<TARGET_FILE:${name}> EXPECTED=$<TARGET_FILE:turntable_${board}>)
+endfunction()
+
+shade16_c_same_frames(shade16_c rgb565 qemu_mps2_an385 ${SHADE16_C_LARGE_SCREEN})
+shade16_c_same_frames(shade16_c rgb565_swapped pico_ili9341 ${SHADE16_C_LARGE_SCREEN})
+
+# Grey: another pipeline, hence another library.
+shade16_add_c_library(shade16_c_luma CHANNELS luma)
+target_link_libraries(shade16_c_luma PRIVATE shade16_warnings)
+shade16_c_same_frames(shade16_c_luma gray4 qemu_lm3s6965evb WIDTH 128 HEIGHT 64 ROWS 16 PIXEL uint8_t PIXELS_A_BYTE 2 MODEL_SIZE 8 BACKGROUND 0x101820)
+shade16_c_same_frames(shade16_c_luma mono1_dithered qemu_lm3s811evb WIDTH 96 HEIGHT 16 ROWS 8 PIXEL uint8_t PIXELS_A_BYTE 8 MODEL_SIZE 7 BACKGROUND 0)
