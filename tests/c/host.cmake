@@ -20,3 +20,14 @@ shade16_add_c_library(shade16_c_luma CHANNELS luma)
 target_link_libraries(shade16_c_luma PRIVATE shade16_warnings)
 shade16_c_same_frames(shade16_c_luma gray4 qemu_lm3s6965evb WIDTH 128 HEIGHT 64 ROWS 16 PIXEL uint8_t PIXELS_A_BYTE 2 MODEL_SIZE 8 BACKGROUND 0x101820)
 shade16_c_same_frames(shade16_c_luma mono1_dithered qemu_lm3s811evb WIDTH 96 HEIGHT 16 ROWS 8 PIXEL uint8_t PIXELS_A_BYTE 8 MODEL_SIZE 7 BACKGROUND 0)
+
+foreach(compiler IN ITEMS gcc clang)
+  shade16_add_script_test(c.header.${compiler} LABEL c SCRIPT c/header.cmake SOURCE=${PROJECT_SOURCE_DIR} COMPILER=${compiler})
+endforeach()
+
+# Sanitizers bring a library of their own.
+if(NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
+  shade16_add_script_test(c.undefined_symbols LABEL c SCRIPT c/undefined_symbols.cmake NM=${CMAKE_NM} LIBRARY=$<TARGET_FILE:shade16_c>)
+  shade16_add_script_test(c.frames.rust LABEL c SCRIPT c/rust.cmake SOURCE=${PROJECT_SOURCE_DIR} SCRATCH=${CMAKE_CURRENT_BINARY_DIR}/rust
+    C_COMPILER=${CMAKE_C_COMPILER} MODELS=${SHADE16_C_MODELS} LIBRARY=$<TARGET_FILE:shade16_c> EXPECTED=$<TARGET_FILE:turntable_qemu_mps2_an385>)
+endif()

@@ -1,7 +1,7 @@
 # C programs on shade16.h, for this computer and for boards. C is a language of the tests alone: its compiler is the C++ compiler's own.
 if(NOT CMAKE_C_COMPILER)
-  string(REGEX REPLACE "g\\+\\+([^/]*)$" "gcc\\1" CMAKE_C_COMPILER ${CMAKE_CXX_COMPILER})
-  string(REGEX REPLACE "clang\\+\\+([^/]*)$" "clang\\1" CMAKE_C_COMPILER ${CMAKE_C_COMPILER})
+  string(REGEX REPLACE "clang\\+\\+([^/]*)$" "clang\\1" CMAKE_C_COMPILER ${CMAKE_CXX_COMPILER})
+  string(REGEX REPLACE "g\\+\\+([^/]*)$" "gcc\\1" CMAKE_C_COMPILER ${CMAKE_C_COMPILER})
 endif()
 enable_language(C)
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
