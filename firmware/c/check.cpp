@@ -64,7 +64,8 @@ shade16_status check(const shade16_frame& f, uint32_t lights, uint32_t objects) 
     if (f.lights != nullptr && f.light_count != lights) return SHADE16_COUNT_DIFFERS;
     if (f.poses != nullptr && f.pose_count != objects) return SHADE16_COUNT_DIFFERS;
     if (f.materials != nullptr && f.material_count != objects) return SHADE16_COUNT_DIFFERS;
-    shade16_status status = f.camera != nullptr ? check(*f.camera) : SHADE16_OK;
+    shade16_status status = SHADE16_OK;
+    if (f.camera != nullptr) status = check(*f.camera);
     if (f.lights != nullptr && status == SHADE16_OK) status = check_all(f.lights, lights);
     if (f.poses != nullptr && status == SHADE16_OK) status = check_all(f.poses, objects);
     if (f.materials != nullptr && status == SHADE16_OK) status = check_all(f.materials, objects);

@@ -31,3 +31,19 @@ if(NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
   shade16_add_script_test(c.frames.rust LABEL c SCRIPT c/rust.cmake SOURCE=${PROJECT_SOURCE_DIR} SCRATCH=${CMAKE_CURRENT_BINARY_DIR}/rust
     C_COMPILER=${CMAKE_C_COMPILER} MODELS=${SHADE16_C_MODELS} LIBRARY=$<TARGET_FILE:shade16_c> EXPECTED=$<TARGET_FILE:turntable_qemu_mps2_an385>)
 endif()
+
+# The C program as an image of the boards that say BOARD_C.
+function(shade16_c_on_board board)
+  set(BOARD_C)
+  include(${SHADE16_BOARDS_DIR}/${board}/board.cmake)
+  if(BOARD_C)
+    list(JOIN BOARD_EMULATOR " " emulator)
+    shade16_add_script_test(c.frames.${board} LABEL boards SCRIPT boards/same_on_board.cmake BOARD=${board} "EMULATOR=${emulator}"
+      IMAGE=${SHADE16_BOARD_BUILDS}/${board}/tests/turntable_c.elf HOST_PROGRAM=$<TARGET_FILE:turntable_${board}>)
+    add_dependencies(checks turntable_${board})
+  endif()
+endfunction()
+get_property(boards GLOBAL PROPERTY SHADE16_EMULATED_BOARDS)
+foreach(board IN LISTS boards)
+  shade16_c_on_board(${board})
+endforeach()
