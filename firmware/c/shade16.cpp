@@ -63,6 +63,12 @@ shade16_status check_terms(const Scene& scene) {
     return first_lacking(chosen_terms, needs_of(scene));
 }
 
+/// Flattened, so that the compiler computes the bound of the table's error, which is a constant: a call would divide 64 bits.
+[[gnu::flatten]] void make_kernel(KeptKernel& kept, Q16 exponent) {
+    kept.kernel = shininess<Precision>(exponent);
+    kept.exponent = exponent.raw;
+}
+
 /// Makes the kernels of exponents that were not there in the frame before.
 void make_kernels(shade16_renderer& r) {
     if constexpr (chosen_terms.specular)
@@ -70,9 +76,8 @@ void make_kernels(shade16_renderer& r) {
             const Material& material = r.scene.objects[i].material;
             KeptKernel& kept = r.arrays.kernels[i];
             r.arrays.kernel_of_object[i] = shade16::detail::has_specular(r.scene, material) ? &kept.kernel : nullptr;
-            const int32_t exponent = clamp(material.shininess.raw, min_shininess.raw, max_shininess.raw);
-            if (r.arrays.kernel_of_object[i] == nullptr || kept.exponent == exponent) continue;
-            kept = {shininess<Precision>(material.shininess), exponent};
+            const Q16 exponent = clamp(material.shininess, min_shininess, max_shininess);
+            if (r.arrays.kernel_of_object[i] != nullptr && kept.exponent != exponent.raw) make_kernel(kept, exponent);
         }
 }
 
