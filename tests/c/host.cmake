@@ -49,10 +49,15 @@ foreach(board IN LISTS boards)
 endforeach()
 
 if(COMMAND shade16_add_test)
-  shade16_add_test(c_tests unit ${c_dir}/statuses_test.cpp)
+  shade16_add_test(c_tests unit ${c_dir}/statuses_test.cpp ${c_dir}/same_scene_test.cpp)
   target_link_libraries(c_tests PRIVATE shade16_c)
+  target_compile_definitions(c_tests PRIVATE SHADE16_DOCS="${PROJECT_SOURCE_DIR}/docs")
   shade16_add_c_library(shade16_c_small TERMS perspective gouraud directional ambient diffuse)
   target_link_libraries(shade16_c_small PRIVATE shade16_warnings)
   shade16_add_test(c_terms_tests unit ${c_dir}/terms_test.cpp)
   target_link_libraries(c_terms_tests PRIVATE shade16_c_small)
 endif()
+
+# A project of its own, for a Cortex-M0+.
+shade16_add_script_test(c.user_project LABEL c SCRIPT c/user.cmake SOURCE=${PROJECT_SOURCE_DIR} SCRATCH=${CMAKE_CURRENT_BINARY_DIR}/c_user)
+set_tests_properties(c.user_project PROPERTIES TIMEOUT 300)

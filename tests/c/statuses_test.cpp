@@ -1,6 +1,8 @@
 // Every status of shade16.h, provoked; and what is drawn when nothing is wrong.
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
 #include <random>
 #include <set>
 #include <string>
@@ -179,6 +181,17 @@ TEST(CStatus, EveryStatusHasASentenceOfItsOwn) {
             EXPECT_TRUE(sentences.insert(text).second) << text;
         }
     EXPECT_EQ(sentences.size(), 1u + 6 + 13 + 5 + 24);
+}
+
+/// docs/c.md has a row of every sentence.
+TEST(CStatus, ThePageHasEverySentence) {
+    std::ifstream file(SHADE16_DOCS "/c.md");
+    const std::string page((std::istreambuf_iterator<char>(file)), {});
+    const std::string none = shade16_status_text(-1);
+    for (shade16_status status = 1; status < SHADE16_LACKS_PERSPECTIVE; ++status)
+        if (const std::string text = shade16_status_text(status); text != none) {
+            EXPECT_TRUE(page.find("` | " + text + " |") != std::string::npos) << text;
+        }
 }
 
 TEST(CHelpers, MaterialsAreFoundByName) {
