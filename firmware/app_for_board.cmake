@@ -3,7 +3,7 @@ add_library(shade16_board INTERFACE)
 target_include_directories(shade16_board INTERFACE ${SHADE16_BOARDS_DIR}/${BOARD} ${CMAKE_CURRENT_SOURCE_DIR}
                                                    ${PROJECT_SOURCE_DIR})
 target_compile_options(shade16_board INTERFACE
-  ${BOARD_CPU_FLAGS} ${BOARD_OPTIMIZE} -g -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics
+  ${BOARD_CPU_FLAGS} ${BOARD_OPTIMIZE} -g -ffreestanding -fno-exceptions $<$<COMPILE_LANGUAGE:CXX>:-fno-rtti> $<$<COMPILE_LANGUAGE:CXX>:-fno-threadsafe-statics>
   -fno-unwind-tables -fno-asynchronous-unwind-tables -ffunction-sections -fdata-sections)
 target_link_options(shade16_board INTERFACE
   ${BOARD_CPU_FLAGS} -nostdlib -nostartfiles LINKER:--gc-sections

@@ -11,7 +11,7 @@ if [[ ${1:-} != --demo ]]; then
     clang libclang-rt-dev lld libgtest-dev libgmock-dev librapidcheck-dev ffmpeg assimp-testmodels
     gcc-arm-none-eabi binutils-arm-none-eabi libnewlib-arm-none-eabi
     gcc-riscv64-unknown-elf binutils-riscv64-unknown-elf qemu-system-arm qemu-system-misc python3 gappa
-    gcc-avr simavr gcc-xtensa-lx106 binutils-xtensa-lx106
+    gcc-avr simavr gcc-xtensa-lx106 binutils-xtensa-lx106 rustc
   )
   command -v node >/dev/null || packages+=(nodejs)  # of whatever origin
   command -v npm >/dev/null || packages+=(npm)

@@ -39,7 +39,7 @@ void print_numbers(int lowered_bits) {
     std::printf("promise_without_sum=%llub-32\n", promise - color_sum_max_error<Tier>);
 
     std::printf("rsqrt_49_max_error=%lub-32\n", static_cast<unsigned long>(rsqrt_49_max_error));
-    std::printf("rsqrt_linear_largest=%ub-16\n", largest_entry(detail::rsqrt_table<6>));
+    std::printf("rsqrt_linear_largest=%ub-16\n", largest_entry(detail::rsqrt_table_49));
     std::printf("reciprocal_linear_max_error=%lub-32\n", static_cast<unsigned long>(reciprocal_linear_max_error));
     std::printf("reciprocal_linear_largest=%ub-16\n", largest_entry(detail::reciprocal_table));
     std::printf("largest_q32=%lub-32\n", static_cast<unsigned long>(UINT32_MAX));

@@ -27,7 +27,7 @@ endfunction()
 
 expect_symbols(NOTHING)
 expect_symbols(ARITHMETIC facing)
-expect_symbols(ROOT root shade16::detail::rsqrt_table<6> shade16::rounded_root)
+expect_symbols(ROOT root shade16::detail::rsqrt_table_49 shade16::rounded_root)
 
 compile(EVERYTHING)
 shade16_run(sizes ${NM} --size-sort --print-size --demangle --radix=d ${SCRATCH}/EVERYTHING.o)

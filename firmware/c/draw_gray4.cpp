@@ -1,0 +1,3 @@
+#include "draw.hpp"
+
+SHADE16_C_DRAW(gray4, shade16::Gray4)

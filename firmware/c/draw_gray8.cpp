@@ -1,0 +1,3 @@
+#include "draw.hpp"
+
+SHADE16_C_DRAW(gray8, shade16::Gray8)

@@ -1,0 +1,3 @@
+#include "draw.hpp"
+
+SHADE16_C_DRAW(rgb565_swapped, shade16::Rgb565Swapped)

@@ -1,0 +1,21 @@
+# shade16.h in every language that it promises to be valid in, with every warning an error.
+cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/../scripts/skip.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/../scripts/run.cmake)
+shade16_skip_without_program(${COMPILER})
+set(warnings -pedantic -Wall -Wextra -Wshadow -Wconversion -Werror)
+foreach(standard IN ITEMS c99 c11 c17)
+  shade16_run(ignored ${COMPILER} -x c -std=${standard} ${warnings} -Wstrict-prototypes -fsyntax-only -I ${SOURCE}/firmware/c ${SOURCE}/tests/c/header.c)
+endforeach()
+foreach(standard IN ITEMS c++98 c++11 c++14 c++17 c++20)
+  shade16_run(ignored ${COMPILER} -x c++ -std=${standard} ${warnings} -fsyntax-only -I ${SOURCE}/firmware/c ${SOURCE}/tests/c/header.c)
+endforeach()
+
+# And it asks for nothing but these.
+foreach(header IN ITEMS shade16.h shade16_scene.h shade16_status.h)
+  file(STRINGS ${SOURCE}/firmware/c/${header} includes REGEX "^#include")
+  list(FILTER includes EXCLUDE REGEX "<stdint.h>|<stddef.h>|\"shade16_(scene|status).h\"")
+  if(includes)
+    message(FATAL_ERROR "${header} includes ${includes}; expected <stdint.h> and <stddef.h> alone.")
+  endif()
+endforeach()

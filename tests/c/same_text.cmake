@@ -1,0 +1,11 @@
+# Two programs must print the same: PROGRAM, and EXPECTED, whose frames are held to those of every board.
+cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/../scripts/run.cmake)
+shade16_run(expected ${EXPECTED})
+if(NOT expected MATCHES "^frame 0 [0-9a-f]+\n.*frame 7 [0-9a-f]+\n$")
+  message(FATAL_ERROR "${EXPECTED} does not print the hashes of eight frames:\n${expected}")
+endif()
+shade16_run(printed ${PROGRAM})
+if(NOT printed STREQUAL expected)
+  message(FATAL_ERROR "${PROGRAM} prints\n${printed}where this was expected:\n${expected}")
+endif()
