@@ -3,10 +3,9 @@ add_library(shade16_board INTERFACE)
 target_include_directories(shade16_board INTERFACE ${SHADE16_BOARDS_DIR}/${BOARD} ${CMAKE_CURRENT_SOURCE_DIR}
                                                    ${PROJECT_SOURCE_DIR})
 target_compile_options(shade16_board INTERFACE
-  ${BOARD_CPU_FLAGS} ${BOARD_OPTIMIZE} -g -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics
-  -fno-unwind-tables -fno-asynchronous-unwind-tables -ffunction-sections -fdata-sections)
+  ${BOARD_CPU_FLAGS} ${BOARD_OPTIMIZE} -g ${SHADE16_FREESTANDING})
 target_link_options(shade16_board INTERFACE
-  ${BOARD_CPU_FLAGS} -nostdlib -nostartfiles LINKER:--gc-sections
+  ${BOARD_CPU_FLAGS} -nostdlib LINKER:--gc-sections
   LINKER:--script=${SHADE16_BOARDS_DIR}/${BOARD}/memory.ld
   LINKER:--script=${CMAKE_CURRENT_SOURCE_DIR}/runtime/sections.ld)
 target_link_libraries(shade16_board INTERFACE shade16::core)
@@ -19,19 +18,32 @@ set(console_semihosting runtime/console_semihosting.cpp runtime/semihosting.cpp)
 set(console_simcall runtime/console_simcall.cpp)
 set(console_rp2040 runtime/console_rp2040.cpp mcu/rp2040/boot.cpp)
 
+# The compiler's library, which comes last on a command line: it serves every object before it. Clang uses GCC's (toolchains/clang_beside_gcc.cmake).
+add_library(shade16_compiler_library INTERFACE)
+if(SHADE16_GCC)
+  execute_process(COMMAND ${SHADE16_GCC} ${BOARD_CPU_FLAGS} -print-libgcc-file-name OUTPUT_VARIABLE libgcc OUTPUT_STRIP_TRAILING_WHITESPACE
+                  COMMAND_ERROR_IS_FATAL ANY)
+  target_link_libraries(shade16_compiler_library INTERFACE ${libgcc})
+else()
+  target_link_libraries(shade16_compiler_library INTERFACE gcc)
+endif()
+
 # What the processor's own compiler library lacks.
 file(GLOB compiler_functions runtime/compiler_functions_${BOARD_STARTUP}.cpp)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND CMAKE_SYSTEM_PROCESSOR STREQUAL "arm")
+  list(APPEND compiler_functions runtime/memory_functions_aeabi.cpp)
+endif()
 
 add_library(shade16_runtime OBJECT runtime/startup_${BOARD_STARTUP}.cpp runtime/board_memory.cpp runtime/memory_functions.cpp
                                    runtime/console.cpp ${console_${BOARD_CONSOLE}} ${compiler_functions})
 target_link_libraries(shade16_runtime PUBLIC shade16_board PRIVATE shade16_warnings)
-set_source_files_properties(runtime/memory_functions.cpp PROPERTIES
-  COMPILE_OPTIONS "-fno-builtin;-fno-tree-loop-distribute-patterns")
+set_source_files_properties(runtime/memory_functions.cpp runtime/memory_functions_aeabi.cpp PROPERTIES
+  COMPILE_OPTIONS "-fno-builtin;$<$<CXX_COMPILER_ID:GNU>:-fno-tree-loop-distribute-patterns>")
 
-# An image of the board. The compiler's own library comes last: it serves every object before it.
+# An image of the board.
 function(shade16_add_image name source)
   add_executable(${name} ${source})
-  target_link_libraries(${name} PRIVATE shade16_runtime shade16_warnings gcc)
+  target_link_libraries(${name} PRIVATE shade16_runtime shade16_warnings shade16_compiler_library)
   set_target_properties(${name} PROPERTIES
     SUFFIX .elf
     CROSSCOMPILING_EMULATOR "${BOARD_EMULATOR}"
@@ -40,7 +52,7 @@ endfunction()
 
 function(shade16_build_app name source)
   shade16_add_image(${name} ${source})
-  target_link_options(${name} PRIVATE LINKER:--print-memory-usage)
+  target_link_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:LINKER:--print-memory-usage>)
   if(BOARD_UF2)
     shade16_add_uf2(${name})
   endif()

@@ -4,6 +4,13 @@
 
 int main();
 
+// GCC's assembler takes instructions for control registers only where it is told to; Clang's of version 14 takes them, and not the telling.
+#ifdef __clang__
+#define ALLOW_CSR
+#else
+#define ALLOW_CSR ".option arch, +zicsr\n"
+#endif
+
 extern "C" {
 
 [[noreturn]] __attribute__((used)) void shade16_start() {
@@ -23,7 +30,7 @@ extern "C" {
 
 // The stack may be what broke, and nobody comes back: the report gets a fresh one.
 [[noreturn]] __attribute__((naked, used, aligned(4))) void shade16_trap() {
-    asm(".option push\n.option arch, +zicsr\n"
+    asm(".option push\n" ALLOW_CSR
         "csrr a0, mcause\n"
         "csrr a1, mepc\n"
         ".option pop\n"
@@ -38,7 +45,7 @@ extern "C" {
         ".option pop\n"
         "la sp, shade16_stack_end\n"
         "la t0, shade16_trap\n"
-        ".option push\n.option arch, +zicsr\n"
+        ".option push\n" ALLOW_CSR
         "csrw mtvec, t0\n"
         ".option pop\n"
         "j shade16_start\n");
