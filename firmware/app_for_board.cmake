@@ -35,13 +35,14 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND CMAKE_SYSTEM_PROCESSOR STREQUAL "a
 endif()
 
 add_library(shade16_runtime OBJECT runtime/startup_${BOARD_STARTUP}.cpp runtime/board_memory.cpp runtime/memory_functions.cpp
-                                   runtime/console.cpp ${console_${BOARD_CONSOLE}} ${compiler_functions})
+                                   runtime/console.cpp runtime/ending.cpp ${console_${BOARD_CONSOLE}} ${compiler_functions})
 target_link_libraries(shade16_runtime PUBLIC shade16_board PRIVATE shade16_warnings)
 set_source_files_properties(runtime/memory_functions.cpp runtime/memory_functions_aeabi.cpp PROPERTIES
   COMPILE_OPTIONS "-fno-builtin;$<$<CXX_COMPILER_ID:GNU>:-fno-tree-loop-distribute-patterns>")
 
 # An image of the board.
 function(shade16_add_image name source)
+  set_property(GLOBAL APPEND PROPERTY SHADE16_IMAGES ${name})
   add_executable(${name} ${source})
   target_link_libraries(${name} PRIVATE shade16_runtime shade16_warnings shade16_compiler_library)
   set_target_properties(${name} PROPERTIES
