@@ -53,9 +53,23 @@ endfunction()
 
 function(shade16_build_app name source)
   shade16_add_image(${name} ${source})
-  target_link_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:LINKER:--print-memory-usage>)
+  shade16_print_sizes(${name})
   if(BOARD_UF2)
     shade16_add_uf2(${name})
+  endif()
+endfunction()
+
+# What the image's flash and RAM go to, each time that it is linked.
+find_package(Python3 QUIET COMPONENTS Interpreter)
+if(NOT Python3_Interpreter_FOUND)
+  message(STATUS "There is no python3, so that nothing is said about the sizes of images; Debian has it in python3.")
+endif()
+function(shade16_print_sizes name)
+  find_package(Python3 QUIET COMPONENTS Interpreter)  # for whoever calls from another folder
+  if(Python3_Interpreter_FOUND)
+    string(REGEX REPLACE "readelf$" "" tools ${CMAKE_READELF})
+    add_custom_command(TARGET ${name} POST_BUILD
+      COMMAND ${Python3_EXECUTABLE} -B ${PROJECT_SOURCE_DIR}/scripts/bench/sizes.py $<TARGET_FILE:${name}> ${tools} VERBATIM)
   endif()
 endfunction()
 

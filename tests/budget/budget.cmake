@@ -1,15 +1,6 @@
-# What an image must not contain. Looked for in the linked file, where only what something reaches is left.
-get_property(apps GLOBAL PROPERTY SHADE16_APPS)
-if(BOARD_SCENES)
-  get_property(scenes GLOBAL PROPERTY SHADE16_SCENES)
-  list(TRANSFORM scenes PREPEND scene_ OUTPUT_VARIABLE scene_apps)
-endif()
-foreach(app IN LISTS apps scene_apps)
-  shade16_add_script_test(forbidden_symbols.${app} LABEL budget SCRIPT budget/forbidden_symbols.cmake
-    NM=${CMAKE_NM} IMAGE=$<TARGET_FILE:${app}>)
-endforeach()
+# What images must not contain, and images that scripts/bench.sh measures.
 
-# A check that cannot fail proves nothing: this image breaks the rules, and every broken rule must be named.
+# A check that cannot fail proves nothing (the check itself: every_image.cmake). This image breaks the rules, and every broken rule must be named.
 shade16_add_image(rule_breaker ${CMAKE_CURRENT_SOURCE_DIR}/budget/rule_breaker.cpp)
 shade16_add_script_test(forbidden_symbols.are_found LABEL budget SCRIPT budget/forbidden_symbols_self_test.cmake
   NM=${CMAKE_NM} IMAGE=$<TARGET_FILE:rule_breaker>)
