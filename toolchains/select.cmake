@@ -1,5 +1,6 @@
 # -DBOARD=<name> reads boards/<name>/board.cmake, which names the toolchain and its flags. Included before project().
 set(BOARD "" CACHE STRING "A folder under boards/; empty builds for this computer")
+set(TOOLCHAIN "" CACHE STRING "A file of toolchains/ for the board in place of its own: the other compiler")
 set(SHADE16_BOARDS_DIR ${CMAKE_CURRENT_SOURCE_DIR}/boards)
 
 # A board is a folder that holds a board.cmake. Nothing else has to be told about it.
@@ -14,5 +15,16 @@ if(BOARD)
     message(FATAL_ERROR "No board '${BOARD}'. Boards: ${known}.")
   endif()
   include(${SHADE16_BOARDS_DIR}/${BOARD}/board.cmake)
+  if(TOOLCHAIN)
+    # Of the same processors, the board's own first.
+    set(arm-none-eabi arm-none-eabi clang-thumb)
+    set(riscv-none-elf riscv-none-elf clang-riscv32)
+    set(xtensa-lx106-elf xtensa-lx106-elf)
+    if(NOT TOOLCHAIN IN_LIST ${BOARD_TOOLCHAIN})
+      list(JOIN ${BOARD_TOOLCHAIN} ", " known)
+      message(FATAL_ERROR "TOOLCHAIN=${TOOLCHAIN} does not make code for '${BOARD}'; what does: ${known}.")
+    endif()
+    set(BOARD_TOOLCHAIN ${TOOLCHAIN})
+  endif()
   set(CMAKE_TOOLCHAIN_FILE ${CMAKE_CURRENT_LIST_DIR}/${BOARD_TOOLCHAIN}.cmake)
 endif()
