@@ -25,10 +25,10 @@ build() {
 
 take_pictures() {
   build host decode_display
-  local folder board
-  for folder in boards/*/; do
-    board=$(basename "$folder")
-    grep -q BOARD_SCREEN_BITS "$folder/board.cmake" || continue
+  local file board
+  for file in boards/*/board.cmake; do
+    board=$(basename "$(dirname "$file")")
+    grep -q BOARD_SCREEN_BITS "$file" || continue
     build "$board" turntable
     build host "turntable_$board"
     cmake -DBOARD="$board" -DHOST_PROGRAM="build/host/firmware/turntable_$board" -DIMAGE="build/$board/firmware/turntable.elf" \

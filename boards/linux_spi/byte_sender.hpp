@@ -1,20 +1,16 @@
-// Whatever puts bytes on a serial bus.
+// What carries bytes to a display: spidev, or lines set one by one.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
+#include <stddef.h>
+#include <stdint.h>
 
-namespace shade16::host {
+namespace shade16::linux_spi {
 
 class ByteSender {
 public:
-    ByteSender() = default;
-    ByteSender(const ByteSender&) = delete;
-    ByteSender& operator=(const ByteSender&) = delete;
     virtual ~ByteSender() = default;
-
-    /// Returns when they are on the wire, or throws.
-    virtual void send(const uint8_t* bytes, std::size_t count) = 0;
+    /// Returns when the last bit is on the wire. Throws host::Error.
+    virtual void send(const uint8_t* bytes, size_t count) = 0;
 };
 
-}  // namespace shade16::host
+}  // namespace shade16::linux_spi

@@ -9,7 +9,7 @@
 
 #include "boards/linux_spi/screen.hpp"
 
-namespace shade16::host {
+namespace shade16::linux_spi {
 
 namespace {
 
@@ -25,12 +25,12 @@ std::size_t buffer_bytes(SystemCalls& system) {
 }
 
 /// What mends it, where somebody knows.
-Error cannot_open(const std::string& device, int error) {
+host::Error cannot_open(const std::string& device, int error) {
     if (error == ENOENT)
-        return io_error("{}: there is no such device; expected SPI to be on: 'dtparam=spi=on' in /boot/firmware/config.txt on a Raspberry Pi, and a restart.", device);
+        return host::io_error("{}: there is no such device; expected SPI to be on: 'dtparam=spi=on' in /boot/firmware/config.txt on a Raspberry Pi, and a restart.", device);
     if (error == EACCES)
-        return io_error("{}: you have no right to use it; expected you in its group: 'sudo adduser $USER spi', then log in again.", device);
-    return io_error("{}: cannot be opened: {}.", device, std::strerror(error));
+        return host::io_error("{}: you have no right to use it; expected you in its group: 'sudo adduser $USER spi', then log in again.", device);
+    return host::io_error("{}: cannot be opened: {}.", device, std::strerror(error));
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ Spidev::~Spidev() { system_.close(file_); }
 
 void Spidev::set(unsigned long request, void* value, const char* what) {
     const int result = system_.ioctl(file_, request, value);
-    if (result < 0) throw io_error("{}: does not take {}: {}.", settings_.device, what, std::strerror(-result));
+    if (result < 0) throw host::io_error("{}: does not take {}: {}.", settings_.device, what, std::strerror(-result));
 }
 
 std::size_t Spidev::next_message(std::size_t left) const {
@@ -82,11 +82,11 @@ void Spidev::send(const uint8_t* bytes, std::size_t count) {
         } else if ((result == 0 || result == -EINTR || result == -EAGAIN) && tries < most_tries) {
             ++tries;
         } else if (result == -ENODEV || result == -ESHUTDOWN || result == -ENXIO) {
-            throw DeviceGone(io_error("{}: the device has gone; expected it to stay while frames are sent.", settings_.device));
+            throw DeviceGone(host::io_error("{}: the device has gone; expected it to stay while frames are sent.", settings_.device));
         } else {
-            throw io_error("{}: {} bytes were not sent: {}.", settings_.device, count, result == 0 ? "nothing went out" : std::strerror(-result));
+            throw host::io_error("{}: {} bytes were not sent: {}.", settings_.device, count, result == 0 ? "nothing went out" : std::strerror(-result));
         }
     }
 }
 
-}  // namespace shade16::host
+}  // namespace shade16::linux_spi

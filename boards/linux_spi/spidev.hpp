@@ -7,7 +7,7 @@
 #include "boards/linux_spi/byte_sender.hpp"
 #include "boards/linux_spi/system_calls.hpp"
 
-namespace shade16::host {
+namespace shade16::linux_spi {
 
 struct SpidevSettings {
     std::string device = "/dev/spidev0.0";
@@ -44,4 +44,4 @@ private:
     std::size_t most_bytes_ = 0, row_bytes_ = 0;
 };
 
-}  // namespace shade16::host
+}  // namespace shade16::linux_spi

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace shade16::host {
+namespace shade16::linux_spi {
 
 namespace {
 
@@ -41,4 +41,4 @@ SystemCalls& system_calls() {
     return kernel;
 }
 
-}  // namespace shade16::host
+}  // namespace shade16::linux_spi

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-namespace shade16::host {
+namespace shade16::linux_spi {
 
 /// Each returns what the system's does, with errno as a negative number in place of -1.
 class SystemCalls {
@@ -27,4 +27,4 @@ public:
 /// This computer's.
 SystemCalls& system_calls();
 
-}  // namespace shade16::host
+}  // namespace shade16::linux_spi

@@ -12,8 +12,10 @@
 namespace shade16::host {
 namespace {
 
+using linux_spi::Spidev;
+
 /// The kernel, with a device that keeps what it is sent.
-class Model final : public SystemCalls {
+class Model final : public linux_spi::SystemCalls {
 public:
     std::size_t buffer = 4096, told = 4096;
     int open_error = 0, mode_error = 0;

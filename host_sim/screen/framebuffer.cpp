@@ -32,7 +32,7 @@ std::vector<uint8_t> as_xrgb8888(const uint8_t* rgb, int width) {
 
 }  // namespace
 
-Framebuffer::Framebuffer(SystemCalls& system, const std::string& device) : system_(system), device_(device), file_(system.open(device)) {
+Framebuffer::Framebuffer(linux_spi::SystemCalls& system, const std::string& device) : system_(system), device_(device), file_(system.open(device)) {
     if (file_ < 0) throw cannot_open(device_, -file_);
     try {
         ask_for_layout();

@@ -12,7 +12,7 @@ namespace shade16::host {
 
 class Framebuffer final : public Screen {
 public:
-    Framebuffer(SystemCalls& system, const std::string& device);
+    Framebuffer(linux_spi::SystemCalls& system, const std::string& device);
     ~Framebuffer() override;
 
     Viewport size() const override { return size_; }
@@ -23,7 +23,7 @@ private:
     void ask_for_layout();
     void write(const std::vector<uint8_t>& row, long at);
 
-    SystemCalls& system_;
+    linux_spi::SystemCalls& system_;
     std::string device_;
     int file_ = -1;
     Viewport size_{};

@@ -14,7 +14,7 @@ namespace shade16::host {
 namespace {
 
 /// Memory of some rows; a write takes what is asked for, or seven bytes, or is interrupted.
-class Model final : public SystemCalls {
+class Model final : public linux_spi::SystemCalls {
 public:
     fb_var_screeninfo screen{};
     fb_fix_screeninfo memory{};

@@ -18,7 +18,7 @@ struct ScreenOptions {
     bool mirrored = false;
     std::string command_line{}, reset_line{}, backlight_line{};  // of libgpiod; the last two may be empty
     std::string clock_line{}, data_line{}, select_line{};        // bits sent line by line, without SPI
-    SpidevSettings spi{};
+    linux_spi::SpidevSettings spi{};
     std::string framebuffer = "/dev/fb0";
     bool dry_run = false;     // print what would be sent
     bool off_at_end = false;  // the panel and its light

@@ -14,11 +14,6 @@ struct ScreenFigures {
     std::chrono::steady_clock::duration sending{};
 };
 
-/// The device was there and is no more. It may come back.
-struct DeviceGone : Error {
-    explicit DeviceGone(const Error& error) : Error(error) {}
-};
-
 class Screen {
 public:
     Screen() = default;

@@ -1,0 +1,12 @@
+# The board linux_spi: its lines over stubs of libgpiod 1 and 2, and over the real one and a real kernel in an emulator.
+find_package(fmt REQUIRED)
+if(COMMAND shade16_add_test)
+  foreach(version IN ITEMS 1 2)
+    set(stub ${CMAKE_CURRENT_SOURCE_DIR}/linux/stubs_v${version})
+    shade16_linux_spi(linux_spi_stub_v${version} ${version})
+    target_include_directories(linux_spi_stub_v${version} BEFORE PUBLIC ${stub})
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/linux/*_test.cpp)
+    shade16_add_test(linux_v${version}_tests "unit;linux" ${sources} ${stub}/gpiod.cpp displays/dcs_model.cpp)
+    target_link_libraries(linux_v${version}_tests PRIVATE linux_spi_stub_v${version})
+  endforeach()
+endif()
