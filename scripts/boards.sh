@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes boards/presets.json and the tables of docs/boards.md of the folders under boards/.
-# usage: scripts/boards.sh              the presets and the tables
+# Makes boards/presets.json and the tables of docs/boards.md of the folders under boards/, and the panels' headers of boards/panels.
+# usage: scripts/boards.sh              the presets, the tables and the headers
 #        scripts/boards.sh --pictures   builds the boards whose displays an emulator shows, and takes their pictures for the page
 #        scripts/boards.sh --bench [<board>...]    builds the emulated boards' bench, or those boards' alone, and records what it prints in
 #                                                   tests/budget/cycles.csv
@@ -15,6 +15,7 @@ esac
 make_tables() {
   python3 -B scripts/boards/presets.py --write
   python3 -B scripts/boards/table.py --write
+  python3 -B scripts/boards/panels.py --write
   python3 -B scripts/boards/bus.py --write
 }
 build() {
@@ -25,10 +26,10 @@ build() {
 
 take_pictures() {
   build host decode_display
-  local folder board
-  for folder in boards/*/; do
-    board=$(basename "$folder")
-    grep -q BOARD_SCREEN_BITS "$folder/board.cmake" || continue
+  local file board
+  for file in boards/*/board.cmake; do
+    board=$(basename "$(dirname "$file")")
+    grep -q BOARD_SCREEN_BITS "$file" || continue
     build "$board" turntable
     build host "turntable_$board"
     cmake -DBOARD="$board" -DHOST_PROGRAM="build/host/firmware/turntable_$board" -DIMAGE="build/$board/firmware/turntable.elf" \

@@ -25,9 +25,9 @@ test_boards() {
     'log=$(ctest --preset @ --parallel 1 --label-regex "$0" 2>&1); status=$?; printf "\n== %s, tests\n%s\n" @ "$log"; exit $status' "$label"
 }
 emulated_boards() {
-  local folder
-  for folder in boards/*/; do
-    if grep -q BOARD_EMULATOR "$folder/board.cmake"; then basename "$folder"; fi
+  local file
+  for file in boards/*/board.cmake; do
+    if grep -q BOARD_EMULATOR "$file"; then basename "$(dirname "$file")"; fi
   done
 }
 
@@ -52,8 +52,8 @@ if [[ $share == errors ]]; then
   exit
 fi
 
-for folder in boards/*/; do
-  board=$(basename "$folder")
+for file in boards/*/board.cmake; do  # linux_spi and panels are no microcontrollers
+  board=$(basename "$(dirname "$file")")
   say "$board"
   build "$board"
 done
