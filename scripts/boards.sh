@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes boards/presets.json and the tables of docs/boards.md of the folders under boards/.
-# usage: scripts/boards.sh              the presets and the tables
+# Makes boards/presets.json and the tables of docs/boards.md of the folders under boards/, and the panels' headers of boards/panels.
+# usage: scripts/boards.sh              the presets, the tables and the headers
 #        scripts/boards.sh --pictures   builds the boards whose displays an emulator shows, and takes their pictures for the page
 #        scripts/boards.sh --measure [<board>...]    builds the emulated boards, or those boards alone, and records what a frame costs them in
 #                                                     tests/budget/cycles.csv and how much stack it takes in tests/budget/stacks.csv
@@ -15,6 +15,7 @@ esac
 make_tables() {
   python3 -B scripts/boards/presets.py --write
   python3 -B scripts/boards/table.py --write
+  python3 -B scripts/boards/panels.py --write
   python3 -B scripts/boards/bus.py --write
 }
 build() {

@@ -52,7 +52,7 @@ if [[ $share == errors ]]; then
   exit
 fi
 
-for file in boards/*/board.cmake; do
+for file in boards/*/board.cmake; do  # linux_spi and panels are no microcontrollers
   board=$(basename "$(dirname "$file")")
   say "$board"
   build "$board"

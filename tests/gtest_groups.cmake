@@ -75,6 +75,9 @@ foreach(group IN ITEMS accuracy system extremes displays)
     target_link_libraries(${group}_tests PRIVATE host_sim_library)
   endif()
 endforeach()
+if(TARGET panel_files)
+  target_link_libraries(displays_tests PRIVATE panel_files)
+endif()
 
 # Some run the program as its users do.
 if(TARGET system_tests AND TARGET shade16)

@@ -7,7 +7,7 @@
 #include <charconv>
 #include <cstring>
 
-#include "boards/linux_spi/screen.hpp"
+#include "boards/linux_spi/device_gone.hpp"
 
 namespace shade16::linux_spi {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "boards/linux_spi/open_screen.hpp"
+#include "host_sim/screen/open_screen.hpp"
 #include "host_sim/bounds/shard.hpp"
 #include "host_sim/engine/formats.hpp"
 #include "shade16/pipeline/transform.hpp"

@@ -1,12 +1,14 @@
 #include "host_sim/cli/show.hpp"
 
 #include <chrono>
+#include <thread>
 
-#include "boards/linux_spi/open_screen.hpp"
+#include "boards/linux_spi/device_gone.hpp"
+#include "boards/linux_spi/stop_on_signal.hpp"
 #include "host_sim/cli/console.hpp"
 #include "host_sim/cli/open_scene.hpp"
-#include "host_sim/cli/stop.hpp"
 #include "host_sim/engine/turntable.hpp"
+#include "host_sim/screen/open_screen.hpp"
 
 namespace shade16::host {
 
@@ -46,18 +48,20 @@ class Show {
 public:
     explicit Show(const ShowOptions& o) : o_(o), screen_(open_screen(o.screen)), film_(o, *screen_) {}
 
-    void run() {
+    /// The signal that ended it, or 0.
+    int run() {
         const auto begin = Clock::now();
         auto due = begin;
-        for (int number = 0; !stop_.is_asked() && (o_.frames == 0 || number < o_.frames); ++number) {
+        for (int number = 0; !is_asked() && (o_.frames == 0 || number < o_.frames); ++number) {
             show(film_.frame(number));
             due = std::max(due + std::chrono::microseconds(1'000'000 / o_.fps), Clock::now());
-            if (o_.frames == 0 || number + 1 < o_.frames) stop_.wait_until(due);
+            if (o_.frames == 0 || number + 1 < o_.frames) wait_until(due);
         }
         if (screen_) add(screen_->figures());
         if (screen_ && o_.screen.off_at_end) screen_->switch_off();
         screen_.reset();
         if (!o_.quiet) print_beside(o_.screen.takes_stdout() ? "-" : "", figures_text(sum_, Clock::now() - begin, lost_));
+        return stop_.asked();
     }
 
 private:
@@ -65,20 +69,26 @@ private:
         try {
             if (!screen_) screen_ = open_screen(o_.screen);
             screen_->show(frame);
-        } catch (const DeviceGone& gone) {
+        } catch (const linux_spi::DeviceGone& gone) {
             if (screen_) add(screen_->figures());
             screen_.reset();
             if (lost_++ == 0 || !was_gone_) print_warnings({gone.what()});
             was_gone_ = true;
-            stop_.wait_until(Clock::now() + patience);
+            wait_until(Clock::now() + patience);
             return;
         }
         was_gone_ = false;
     }
+    bool is_asked() const { return stop_.asked() != 0; }
+    void wait_until(Clock::time_point time) const {
+        constexpr std::chrono::milliseconds glance{10};
+        while (!is_asked() && Clock::now() + glance < time) std::this_thread::sleep_for(glance);
+        if (!is_asked()) std::this_thread::sleep_until(time);
+    }
     void add(const ScreenFigures& f) { sum_.frames += f.frames, sum_.bytes += f.bytes, sum_.sending += f.sending; }
 
     const ShowOptions& o_;
-    StopOnSignal stop_{};
+    linux_spi::StopOnSignal stop_{};
     std::unique_ptr<Screen> screen_;
     Film film_;
     ScreenFigures sum_{};
@@ -98,7 +108,8 @@ ExitCode show(const ShowOptions& o) {
         print(found.text);
         return found.is_ready ? ExitCode::ok : ExitCode::check;
     }
-    Show(o).run();
+    // Lines are released and the terminal is as it was; a shell sees what ended it.
+    if (const int signal = Show(o).run(); signal != 0) linux_spi::end_by({signal});
     return ExitCode::ok;
 }
 

@@ -1,4 +1,4 @@
-#include "boards/linux_spi/framebuffer.hpp"
+#include "host_sim/screen/framebuffer.hpp"
 
 #include <linux/fb.h>
 

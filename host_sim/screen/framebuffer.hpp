@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "boards/linux_spi/changed_rows.hpp"
-#include "boards/linux_spi/screen.hpp"
+#include "host_sim/screen/changed_rows.hpp"
+#include "host_sim/screen/screen.hpp"
 #include "boards/linux_spi/system_calls.hpp"
 
 namespace shade16::host {

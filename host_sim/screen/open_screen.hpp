@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "boards/linux_spi/screen.hpp"
+#include "host_sim/screen/screen.hpp"
 #include "boards/linux_spi/spidev.hpp"
 
 namespace shade16::host {

@@ -3,13 +3,13 @@
 
 #include <display/dcs.hpp>
 
-#include "boards/linux_spi/changed_rows.hpp"
-#include "boards/linux_spi/screen.hpp"
+#include "host_sim/screen/changed_rows.hpp"
+#include "host_sim/screen/screen.hpp"
 
 namespace shade16::host {
 
 template <DisplayBus Bus>
-class PanelScreen final : public Screen {
+class PanelScreen : public Screen {
 public:
     /// Switches the panel on. `panel` outlives this.
     PanelScreen(Bus& bus, const DcsPanel& panel, Orientation orientation) : bus_(bus), panel_(panel), orientation_(orientation) {

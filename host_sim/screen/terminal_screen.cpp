@@ -1,4 +1,4 @@
-#include "boards/linux_spi/terminal_screen.hpp"
+#include "host_sim/screen/terminal_screen.hpp"
 
 #include "host_sim/cli/console.hpp"
 #include "host_sim/cli/half_blocks.hpp"

@@ -1,7 +1,7 @@
 // The terminal as a screen: two pixels a character. A preview, also over ssh.
 #pragma once
 
-#include "boards/linux_spi/screen.hpp"
+#include "host_sim/screen/screen.hpp"
 
 namespace shade16::host {
 

@@ -80,3 +80,9 @@ shade16_add_script_test(bus_table_is_fresh LABEL system SCRIPT budget/run_python
   PROGRAM=${PROJECT_SOURCE_DIR}/scripts/boards/bus.py)
 shade16_add_script_test(board_table_is_fresh LABEL system SCRIPT budget/run_python.cmake
   PROGRAM=${PROJECT_SOURCE_DIR}/scripts/boards/table.py)
+
+# A text is a panel: the drivers' headers are made of it.
+shade16_add_script_test(panel_headers_are_fresh LABEL system SCRIPT budget/run_python.cmake
+  PROGRAM=${PROJECT_SOURCE_DIR}/scripts/boards/panels.py)
+shade16_add_script_test(panel_headers.texts_become_headers LABEL system SCRIPT budget/run_python.cmake
+  PROGRAM=${CMAKE_CURRENT_LIST_DIR}/panels_self_test.py)
