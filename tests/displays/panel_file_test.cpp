@@ -9,6 +9,7 @@
 #include <display/st7735.hpp>
 #include <display/st7789.hpp>
 #include <map>
+#include <sstream>
 
 #include "tests/system/scratch_directory.hpp"
 
@@ -158,6 +159,31 @@ TEST(PanelFile, EveryMistakeHasItsSentence) {
                 HasSubstr("glass/base.txt, line 1: stands on another panel, and glass/mine.txt, line 1 stands on this one; expected '#: as other' there."));
     EXPECT_THAT(refusal("#: as base\n", "delay x\n"), HasSubstr("glass/base.txt, line 1: 'x'"));
     EXPECT_EQ(refusal(rest), "no complaint");
+}
+
+/// The page's indented text from this line on.
+std::string example(const std::string& page, const std::string& first_line) {
+    std::string text;
+    std::istringstream lines(page.substr(std::min(page.find("    " + first_line), page.size())));
+    for (std::string line; std::getline(lines, line) && (line.empty() || line.starts_with("    "));)
+        text += line.substr(std::min<std::size_t>(4, line.size())) + "\n";
+    return text;
+}
+
+TEST(PanelFile, ThePagesExamplesAreRead) {
+    std::ifstream file(SHADE16_DOCS "/panels.md");
+    const std::string page{std::istreambuf_iterator<char>(file), {}};
+    const PanelFile whole = read(example(page, "# ST7789V, the smallest"));
+    EXPECT_THAT(whole.beginning, ElementsAre(dcs::reset, then_wait, 30, dcs::sleep_out, then_wait, 24));
+    EXPECT_EQ(facts(whole.facts), facts(st7789));
+
+    const PanelFile narrow = host::read_panel_text(example(page, "#: as st7789"), (folder / "mine.txt").string(), [](const std::string& path) {
+        std::ifstream base(path);
+        return std::string{std::istreambuf_iterator<char>(base), {}};
+    });
+    EXPECT_EQ(narrow.facts.width_px, 170);
+    EXPECT_EQ(narrow.facts.first_column, 35);
+    EXPECT_EQ(narrow.beginning, std::vector(st7789.beginning, st7789.beginning + st7789.beginning_bytes));
 }
 
 TEST(PanelFile, AFileThatIsMissingIsNamed) {
