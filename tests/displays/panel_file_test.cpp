@@ -4,13 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <display/gc9a01.hpp>
-#include <display/ili9341.hpp>
-#include <display/st7735.hpp>
-#include <display/st7789.hpp>
 #include <map>
 #include <sstream>
 
+#include "tests/displays/all_panels.hpp"
 #include "tests/system/scratch_directory.hpp"
 
 namespace shade16::displays {
@@ -24,9 +21,7 @@ const std::filesystem::path folder = host::source_directory() / "boards/panels";
 
 std::map<std::string, DcsPanel> compiled_panels() {
     std::map<std::string, DcsPanel> panels;
-    for (const DcsPanel& panel : {ili9341, st7789, st7789_240x240, st7789_135x240, st7735_black_tab, st7735_green_tab, st7735_128x128,
-                                  st7735_80x160, st7735_80x160_plug_in, gc9a01})
-        panels.emplace(panel.name, panel);
+    for (const DcsPanel& panel : all_panels) panels.emplace(panel.name, panel);
     return panels;
 }
 
@@ -51,7 +46,7 @@ TEST(PanelFile, EveryTextIsTheDriverOfItsName) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         const PanelFile file = host::read_panel_file(entry.path().string());
         const DcsPanel text = file.panel();
-        ASSERT_EQ(compiled.count(text.name), 1u) << entry.path() << " has no driver in this test; add it here";
+        ASSERT_EQ(compiled.count(text.name), 1u) << entry.path() << " has no driver in all_panels.hpp; add it there";
         const DcsPanel driver = compiled.extract(text.name).mapped();
         EXPECT_EQ(std::vector(driver.beginning, driver.beginning + driver.beginning_bytes), file.beginning) << text.name;
         EXPECT_EQ(facts(driver), facts(text)) << text.name;
