@@ -28,7 +28,7 @@ take_pictures() {
   local folder board
   for folder in boards/*/; do
     board=$(basename "$folder")
-    grep -q BOARD_SCREEN_BITS "$folder/board.cmake" || continue
+    grep -qs BOARD_SCREEN_BITS "$folder/board.cmake" || continue
     build "$board" turntable
     build host "turntable_$board"
     cmake -DBOARD="$board" -DHOST_PROGRAM="build/host/firmware/turntable_$board" -DIMAGE="build/$board/firmware/turntable.elf" \

@@ -27,7 +27,7 @@ test_boards() {
 emulated_boards() {
   local folder
   for folder in boards/*/; do
-    if grep -q BOARD_EMULATOR "$folder/board.cmake"; then basename "$folder"; fi
+    if grep -qs BOARD_EMULATOR "$folder/board.cmake"; then basename "$folder"; fi
   done
 }
 
@@ -53,6 +53,7 @@ if [[ $share == errors ]]; then
 fi
 
 for folder in boards/*/; do
+  [[ -e $folder/board.cmake ]] || continue
   board=$(basename "$folder")
   say "$board"
   build "$board"
