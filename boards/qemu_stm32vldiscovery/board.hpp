@@ -20,7 +20,7 @@ struct Board {
 
     static constexpr VertexStore vertex_store = VertexStore::replay;
     static constexpr Mesh model = torus<24, 12>.mesh();
-    static constexpr Q16 model_scale = Q16::from_raw(65536);
+    static constexpr Q16 model_scale = 1;
     static constexpr Rgb background = rgb(0x101820);
 
     HashSink display;
