@@ -6,7 +6,7 @@
 namespace shade16 {
 
 /// What every app needs besides its own: variables of the runtime, and a stack.
-inline constexpr size_t least_stack_bytes = 2048;
+inline constexpr size_t least_stack_bytes = 2400;
 
 /// What a mesh takes in flash.
 constexpr size_t flash_bytes_of(const Mesh& m) {

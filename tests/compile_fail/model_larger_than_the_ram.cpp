@@ -1,4 +1,4 @@
-// EXPECT: 61442
+// EXPECT: 61794
 #include <runtime/fits.hpp>
 
 struct Board {
