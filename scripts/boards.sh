@@ -2,14 +2,14 @@
 # Makes boards/presets.json and the tables of docs/boards.md of the folders under boards/, and the panels' headers of boards/panels.
 # usage: scripts/boards.sh              the presets, the tables and the headers
 #        scripts/boards.sh --pictures   builds the boards whose displays an emulator shows, and takes their pictures for the page
-#        scripts/boards.sh --bench [<board>...]    builds the emulated boards' bench, or those boards' alone, and records what it prints in
-#                                                   tests/budget/cycles.csv
+#        scripts/boards.sh --measure [<board>...]    builds the emulated boards, or those boards alone, and records what a frame costs them in
+#                                                     tests/budget/cycles.csv and how much stack it takes in tests/budget/stacks.csv
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 case ${1:-} in
-  "" | --pictures | --bench) ;;
-  *) echo "scripts/boards.sh $1: expected --pictures, --bench or nothing." >&2; exit 2 ;;
+  "" | --pictures | --measure) ;;
+  *) echo "scripts/boards.sh $1: expected --pictures, --measure or nothing." >&2; exit 2 ;;
 esac
 
 make_tables() {
@@ -37,21 +37,28 @@ take_pictures() {
   done
 }
 
-record_bench() {
+emulated_boards() { grep -l BOARD_EMULATOR boards/*/board.cmake | xargs -n 1 dirname | xargs -n 1 basename; }
+
+measure() {
   local file board emulator
-  [[ $# -gt 0 ]] || set -- $(grep -l BOARD_EMULATOR boards/*/board.cmake | xargs -n 1 dirname | xargs -n 1 basename)
+  [[ $# -gt 0 ]] || set -- $(emulated_boards)
   for board in "$@"; do
     file=boards/$board/board.cmake
-    [[ -e $file ]] || { echo "scripts/boards.sh --bench $board: there is no $file." >&2; exit 2; }
+    [[ -e $file ]] || { echo "scripts/boards.sh --measure $board: there is no $file." >&2; exit 2; }
+    build "$board" turntable
     build "$board" bench
     read -r -a emulator < <(cmake -DBOARD_FILE="$file" -P scripts/bench/emulator.cmake)
     python3 -B scripts/boards/bench.py --bless "$board" "build/$board/firmware/bench.elf" "${emulator[@]}"
+    python3 -B scripts/boards/stacks.py --bless "$board" "build/$board/firmware/turntable.elf"
   done
 }
 
 make_tables
 if [[ $# -gt 0 ]]; then
   scripts/setup.sh
-  if [[ $1 == --pictures ]]; then take_pictures; else record_bench "${@:2}"; fi
+  case $1 in
+    --pictures) take_pictures ;;
+    --measure) measure "${@:2}" ;;
+  esac
   make_tables
 fi

@@ -51,6 +51,7 @@ foreach(board_and_chip IN ITEMS "stm32f4_ili9341 stm32f4" "hifive1_st7735 fe310"
   list(POP_FRONT board_and_chip board chip)
   shade16_add_test(${board}_tests unit chips/${board}_test.cpp chips/${chip}.cpp chips/console_throws.cpp displays/dcs_model.cpp)
   target_include_directories(${board}_tests PRIVATE ${PROJECT_SOURCE_DIR}/firmware ${SHADE16_BOARDS_DIR}/${board})
+  target_compile_definitions(${board}_tests PRIVATE SHADE16_DOCS="${PROJECT_SOURCE_DIR}/docs")
 endforeach()
 
 # Adapters to other libraries, against stubs with their signatures.
@@ -70,7 +71,7 @@ else()
 endif()
 
 # These compare the engine with the reference, or test the simulator itself.
-foreach(group IN ITEMS accuracy system extremes displays)
+foreach(group IN ITEMS accuracy system extremes displays stm32f4_ili9341 hifive1_st7735)
   if(TARGET ${group}_tests AND TARGET host_sim_library)
     target_link_libraries(${group}_tests PRIVATE host_sim_library)
   endif()

@@ -7,3 +7,4 @@ set(BOARD_CPU_FLAGS -mcpu=cortex-m3 -mthumb)
 set(BOARD_OPTIMIZE -O2)
 set(BOARD_SCENES ON)
 set(BOARD_EMULATOR qemu-system-arm -M mps2-an385 ${QEMU_SEMIHOSTING})
+set(BOARD_SOMETHING_BELOW_RAM ON)  # a stack without end goes on there, unseen

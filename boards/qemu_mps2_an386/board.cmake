@@ -8,3 +8,4 @@ set(BOARD_OPTIMIZE -O2)
 set(BOARD_SCENES ON)
 set(BOARD_EMULATOR qemu-system-arm -M mps2-an386 ${QEMU_SEMIHOSTING})
 set(BOARD_FRAMES_OF qemu_mps2_an385)
+set(BOARD_SOMETHING_BELOW_RAM ON)  # a stack without end goes on there, unseen

@@ -9,3 +9,4 @@ set(BOARD_EMULATOR qemu-system-riscv32 -M virt -bios none -device bochs-display,
 set(BOARD_SCREEN_BITS 5 6 5)
 set(BOARD_FRAMES_OF qemu_mps2_an385)
 set(BOARD_C ON)
+set(BOARD_SOMETHING_BELOW_RAM ON)  # a stack without end goes on there, unseen

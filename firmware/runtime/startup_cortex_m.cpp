@@ -1,5 +1,5 @@
 // From reset to main() on any Cortex-M, and one sentence when the processor faults.
-#include <runtime/console.hpp>
+#include <runtime/ending.hpp>
 #include <runtime/variables.hpp>
 
 int main();
@@ -23,33 +23,25 @@ extern "C" {
 [[noreturn]] __attribute__((used)) void shade16_reset() {
     enable_fpu();
     initialise_variables();
-    console::exit(main());
+    end_program(main());
 }
 
-// `pushed` is what the processor saved on its way into the exception: r0 r1 r2 r3 r12 lr pc psr.
-[[noreturn]] __attribute__((used)) void shade16_report_fault(const uint32_t* pushed, uint32_t exception) {
-    if (pushed < shade16_bss_end) {
-        console::print("The stack has run over the variables.\n");
-    } else {
-        console::print("The processor stopped at address 0x");
-        console::print_hex(pushed[6]);
-        console::print(" with exception ");
-        console::print_decimal(exception);
-        console::print(".\n");
-    }
-    console::exit(1);
+[[noreturn]] __attribute__((used)) void shade16_report_fault(uint32_t address, uint32_t exception, const uint32_t* stack) {
+    end_by_fault(address, exception, stack);
 }
 
-// If the stack is what broke, the report needs a fresh one; otherwise it must not overwrite what was pushed.
+// What the processor saved on its way into the exception is r0 r1 r2 r3 r12 lr pc psr, unless the stack is what broke.
 [[noreturn]] __attribute__((naked, used)) void shade16_fault() {
-    asm("mrs r0, msp\n"
+    asm("mrs r2, msp\n"
         "mrs r1, ipsr\n"
-        "ldr r2, =shade16_bss_end\n"
-        "cmp r0, r2\n"
-        "bhs 1f\n"
-        "ldr r2, =shade16_stack_end\n"
-        "mov sp, r2\n"
-        "1: bl shade16_report_fault\n"
+        "movs r0, #0\n"
+        "ldr r3, =shade16_bss_end\n"
+        "cmp r2, r3\n"
+        "blo 1f\n"
+        "ldr r0, [r2, #24]\n"
+        "1: ldr r3, =shade16_stack_end\n"
+        "mov sp, r3\n"
+        "bl shade16_report_fault\n"
         ".ltorg\n");
 }
 

@@ -1,32 +1,34 @@
 // From reset to main() on RISC-V in machine mode, and one sentence when the processor traps.
-#include <runtime/console.hpp>
+#include <runtime/ending.hpp>
 #include <runtime/variables.hpp>
 
 int main();
+
+// GCC's assembler takes instructions for control registers only where it is told to; Clang's of version 14 takes them, and not the telling.
+#ifdef __clang__
+#define ALLOW_CSR
+#else
+#define ALLOW_CSR ".option arch, +zicsr\n"
+#endif
 
 extern "C" {
 
 [[noreturn]] __attribute__((used)) void shade16_start() {
     shade16::initialise_variables();
-    shade16::console::exit(main());
+    shade16::end_program(main());
 }
 
-[[noreturn]] __attribute__((used)) void shade16_report_trap(uint32_t cause, uint32_t address) {
-    using namespace shade16;
-    console::print("The processor stopped at address 0x");
-    console::print_hex(address);
-    console::print(" with trap ");
-    console::print_decimal(cause);
-    console::print(".\n");
-    console::exit(1);
+[[noreturn]] __attribute__((used)) void shade16_report_trap(uint32_t address, uint32_t cause, const uint32_t* stack) {
+    shade16::end_by_fault(address, cause, stack);
 }
 
 // The stack may be what broke, and nobody comes back: the report gets a fresh one.
 [[noreturn]] __attribute__((naked, used, aligned(4))) void shade16_trap() {
-    asm(".option push\n.option arch, +zicsr\n"
-        "csrr a0, mcause\n"
-        "csrr a1, mepc\n"
+    asm(".option push\n" ALLOW_CSR
+        "csrr a0, mepc\n"
+        "csrr a1, mcause\n"
         ".option pop\n"
+        "mv a2, sp\n"
         "la sp, shade16_stack_end\n"
         "j shade16_report_trap\n");
 }
@@ -38,7 +40,7 @@ extern "C" {
         ".option pop\n"
         "la sp, shade16_stack_end\n"
         "la t0, shade16_trap\n"
-        ".option push\n.option arch, +zicsr\n"
+        ".option push\n" ALLOW_CSR
         "csrw mtvec, t0\n"
         ".option pop\n"
         "j shade16_start\n");

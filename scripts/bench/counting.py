@@ -49,7 +49,7 @@ class FrameCount:
         with tempfile.TemporaryDirectory() as folder:
             shared, out = Path(folder, "shared"), Path(folder, "counts")
             shared.write_text("".join(f"{first:x} {end:x}\n" for first, end in self._shared))
-            arguments = {"begin": image.address(self._marks[0]), "end": image.address(self._marks[1]),
+            arguments = {"main": image.address("main"), "begin": image.address(self._marks[0]), "end": image.address(self._marks[1]),
                          "stack": image.address("shade16_bss_end"), "stack_end": image.address("shade16_stack_end"),
                          "shared": shared, "out": out}
             options = ",".join(f"{name}={value}" for name, value in arguments.items())

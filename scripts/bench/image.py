@@ -14,8 +14,8 @@ class Frame(NamedTuple):
     file: str
 
 
-def _run(tool, *arguments, text=None):
-    return run([TOOLS + tool, *arguments], "An image cannot be read", text)
+def _run(tool, *arguments, text=None, tools=TOOLS):
+    return run([tools + tool, *arguments], "An image cannot be read", text)
 
 
 def short_path(path):
@@ -25,13 +25,17 @@ def short_path(path):
 
 
 class Image:
-    def __init__(self, path):
+    def __init__(self, path, tools=TOOLS):
         self.path = str(path)
+        self.tools = tools  # what stands before the names of another processor's programs
+
+    def _run(self, tool, *arguments, text=None):
+        return _run(tool, *arguments, text=text, tools=self.tools)
 
     @cached_property
     def _symbols(self):
         """(name, address, bytes, type) of every symbol; a Thumb function's lowest bit is not part of its address."""
-        rows = (line.split() for line in _run("readelf", "--symbols", "--wide", self.path).splitlines())
+        rows = (line.split() for line in self._run("readelf", "--symbols", "--wide", self.path).splitlines())
         symbols = [row for row in rows if len(row) == 8 and row[0][:-1].isdigit()]
         return [(name, int(value, 16) & (~1 if kind == "FUNC" else ~0), int(size, 0), kind)
                 for _, value, size, kind, _, _, _, name in symbols]
@@ -61,8 +65,20 @@ class Image:
         """The mangled names of what is no code: tables, meshes, variables."""
         return sorted({name for name, _, size, kind in self._symbols if kind == "OBJECT" and size > 0})
 
+    @cached_property
+    def extents(self):
+        """(address, bytes, mangled name) of what is no code, once an address."""
+        return [(address, size, name) for address, (size, name) in
+                sorted({address: (size, name) for name, address, size, kind in self._symbols if kind == "OBJECT" and size > 0}.items())]
+
+    def section(self, name):
+        """The addresses of a section, as a range."""
+        listed = self._run("readelf", "--sections", "--wide", self.path)
+        match = re.search(rf"\] {re.escape(name)} +\S+ +([0-9a-f]+) +\S+ +([0-9a-f]+) ", listed)
+        return range(int(match[1], 16), int(match[1], 16) + int(match[2], 16)) if match else range(0)
+
     def section_bytes(self, name):
-        listed = _run("readelf", "--sections", "--wide", self.path)
+        listed = self._run("readelf", "--sections", "--wide", self.path)
         match = re.search(rf"\] {re.escape(name)} +\S+ +\S+ +\S+ +([0-9a-f]+) ", listed)
         return int(match[1], 16) if match else 0
 
@@ -77,7 +93,7 @@ class Image:
     def chains(self):
         """Address -> its inline chain, innermost function first, for every halfword of code."""
         addresses = [a for first, end, _ in self.functions for a in range(first, end, 2)]
-        text = _run("addr2line", "--exe", self.path, "--addresses", "--inlines", "--functions", "--demangle",
+        text = self._run("addr2line", "--exe", self.path, "--addresses", "--inlines", "--functions", "--demangle",
                     text="".join(f"{a:#x}\n" for a in addresses))
         chains, lines = {}, iter(text.splitlines())
         for line in lines:
@@ -88,7 +104,7 @@ class Image:
         return chains
 
 
-def demangle(names):
+def demangle(names, tools=TOOLS):
     """{mangled: demangled}"""
     names = list(names)
-    return dict(zip(names, _run("c++filt", text="\n".join(names)).splitlines()))
+    return dict(zip(names, _run("c++filt", tools=tools, text="\n".join(names)).splitlines()))

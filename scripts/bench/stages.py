@@ -53,7 +53,7 @@ _TABLE = {
     "pipeline/raster.hpp": ("raster", {"setup": ("raster", "draw_triangle", "draw_phong")}),
     "target/band.hpp": (None, {"clear": ("clear", "clear_to", "fill", "fill_rows", "fill_halfwords", "fill_bytes", "nearest_pixel")}),
 }
-_DRIVERS = ("firmware/apps/", "tests/")  # the program around the frame
+DRIVERS = ("firmware/apps/", "tests/")  # the program around the frame
 
 
 def _is_named(function, name):
@@ -62,7 +62,7 @@ def _is_named(function, name):
 
 @lru_cache(maxsize=None)  # a frame is part of many chains
 def _stage_of_frame(frame):
-    if frame.file.startswith(_DRIVERS):
+    if frame.file.startswith(DRIVERS):
         return "transform"
     if frame.file not in _TABLE:
         if frame.file.startswith("pipeline/"):

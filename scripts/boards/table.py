@@ -50,12 +50,18 @@ def tested(cmake: str) -> str:
     return f"{what} in {where}" + (shown if "BOARD_SCREEN_BITS" in cmake else "")
 
 
+def stack(board: str) -> str:
+    """What the turntable used of its stack when scripts/boards.sh --measure looked."""
+    row = re.search(rf"^{board},(\d+),(\d+)$", (ROOT / "tests/budget/stacks.csv").read_text(), re.MULTILINE)
+    return f"{int(row[1]):,} of {int(row[2]):,} B" if row else "not measured"
+
+
 def rows() -> list[str]:
-    lines = ["| board | core | clock | flash | RAM | display | tested |", "|---|---|---|---|---|---|---|"]
+    lines = ["| board | core | clock | flash | RAM | stack used | display | tested |", "|---|---|---|---|---|---|---|---|"]
     for file in sorted((ROOT / "boards").glob("*/board.cmake")):
         cmake, header = file.read_text(), file.parent / "board.hpp"
         cells = [f"`{file.parent.name}`", cmake_value(cmake, "BOARD_CORE"), f"{number(header, 'cpu_hz') // 1_000_000} MHz",
-                 memory(number(header, "flash_bytes")), memory(number(header, "ram_bytes")), cmake_value(cmake, "BOARD_DISPLAY"), tested(cmake)]
+                 memory(number(header, "flash_bytes")), memory(number(header, "ram_bytes")), stack(file.parent.name), cmake_value(cmake, "BOARD_DISPLAY"), tested(cmake)]
         lines.append("| " + " | ".join(cells) + " |")
     return lines
 

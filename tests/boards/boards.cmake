@@ -70,6 +70,9 @@ endforeach()
 shade16_add_script_test(wrong_screens_are_found LABEL boards SCRIPT budget/run_python.cmake
   PROGRAM=${CMAKE_CURRENT_LIST_DIR}/screen_dump_self_test.py)
 
+shade16_add_script_test(large_stacks_are_found LABEL boards SCRIPT budget/run_python.cmake
+  PROGRAM=${CMAKE_CURRENT_SOURCE_DIR}/budget/stacks_test.py)
+
 # A folder is a board: its presets are made of it.
 shade16_add_script_test(board_presets_are_fresh LABEL system SCRIPT budget/run_python.cmake
   PROGRAM=${PROJECT_SOURCE_DIR}/scripts/boards/presets.py)

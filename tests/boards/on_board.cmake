@@ -1,4 +1,5 @@
-# What a board's files must be, besides its image.
+# What a board's files must be, besides its image, and how its programs end.
+get_property(apps GLOBAL PROPERTY SHADE16_APPS)
 if(BOARD_UF2)
   foreach(app IN LISTS apps)
     shade16_add_script_test(uf2.${app} LABEL boards SCRIPT budget/run_python.cmake
@@ -18,4 +19,11 @@ if(BOARD_CHIP)
   shade16_add_image(tables_in_ram ${PROJECT_SOURCE_DIR}/firmware/apps/turntable.cpp)
   target_compile_definitions(tables_in_ram PRIVATE SHADE16_TABLES_IN_RAM)
   shade16_add_script_test(tables_in_ram.are_there LABEL boards SCRIPT boards/tables_in_ram.cmake NM=${CMAKE_NM} IMAGE=$<TARGET_FILE:tables_in_ram>)
+endif()
+
+if(BOARD_EMULATOR)
+  include(boards/faults/faults.cmake)
+  list(GET BOARD_EMULATOR 0 emulator_program)
+  shade16_add_script_test(stack.turntable LABEL budget SCRIPT budget/run_python.cmake PROGRAM=${PROJECT_SOURCE_DIR}/scripts/boards/stacks.py
+    NEEDS=${emulator_program} "ARGUMENTS=${BOARD} ${PROJECT_BINARY_DIR}/firmware/turntable.elf")
 endif()

@@ -6,6 +6,7 @@ from pathlib import Path
 PROJECT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(PROJECT / "scripts/bench"))
 import budgets
+import sizes
 import stages
 import tables
 from budgets import Budget
@@ -88,6 +89,18 @@ class Stages(unittest.TestCase):
     def test_a_new_file_of_the_pipeline_is_named(self):
         chain = [Frame("f", "pipeline/new.hpp")]
         self.assertRaisesRegex(BenchError, "pipeline/new.hpp has no stage", stages.stage_of, chain)
+
+
+class Sizes(unittest.TestCase):
+    def test_code_belongs_to_a_stage_or_to_whom_it_is(self):
+        span = Frame("void shade16::PackedPainter<shade16::Rgb565, true>::span(int) const", "pipeline/paint_packed.hpp")
+        for chain, part in {(span, Frame("main", "firmware/apps/turntable.cpp")): "raster",
+                            (Frame("shade16::multiply(int, int)", "num/mulhi.hpp"), span): "raster",
+                            (Frame("shade16::multiply(int, int)", "num/mulhi.hpp"),): "num",
+                            (Frame("main", "firmware/apps/turntable.cpp"),): "app",
+                            (Frame("memcpy", "firmware/runtime/memory_functions.cpp"),): "runtime",
+                            (Frame("__aeabi_lmul", "lib1funcs.S"),): "compiler's library", (): "compiler's library"}.items():
+            self.assertEqual(sizes.part_of(chain), part)
 
 
 class Names(unittest.TestCase):

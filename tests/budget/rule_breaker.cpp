@@ -4,7 +4,7 @@
 
 extern "C" {
 void* __dso_handle = nullptr;
-#if defined(__arm__)
+#if defined(__arm__) && !defined(__clang__)  // Clang calls the other
 int __aeabi_atexit(void*, void (*)(void*), void*) { return 0; }
 #else
 __attribute__((noinline)) int __cxa_atexit(void (*)(void*), void*, void*) {

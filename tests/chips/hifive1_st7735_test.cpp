@@ -1,7 +1,7 @@
 // The board hifive1_st7735, its clocks and its display's wires, on a model of the chip and of the panel.
 #include <gtest/gtest.h>
 
-#include <board.hpp>
+#include <apps/turntable_scene.hpp>
 
 #include "tests/chips/fe310.hpp"
 #include "tests/chips/shown.hpp"
@@ -40,6 +40,20 @@ TEST_F(HiFive1, ThePanelShowsEveryPixel) {
     send(display, picture, Board::band_rows);
     expect_shown(chip, panel, picture, {});
     EXPECT_EQ(chip.spi_hz(), Board::Bus<Port>::bus_hz);
+}
+
+TEST_F(HiFive1, ThePanelShowsTheTurntable) {
+    fe310::begin_clocks<Port>();
+    static TurntableWorkspace workspace;
+    static BoardBuffer buffers[Board::bands];
+    TurntableRenderer renderer(workspace);
+    const Pose pose = turntable_pose(7);
+    Display<Port> display;
+    present(renderer, {.poses = &pose}, screen, buffers, display);
+    KeptFrame drawn;
+    present(renderer, {.poses = &pose}, screen, buffers, drawn);
+    expect_shown(chip, panel, drawn.seen, Orientation{});
+    displays::expect_kept_picture("boards/hifive1_st7735", drawn.seen);
 }
 
 TEST_F(HiFive1, WhatNeverEndsIsSaid) {

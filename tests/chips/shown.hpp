@@ -7,6 +7,7 @@
 #include <random>
 
 #include "tests/chips/chip.hpp"
+#include "tests/displays/kept_picture.hpp"
 #include "tests/displays/turned.hpp"
 
 namespace shade16::chips {
@@ -43,6 +44,16 @@ void expect_shown(const Chip& chip, displays::DcsModel& panel, const displays::S
     EXPECT_EQ(panel.complaint(), "");
     EXPECT_TRUE(panel.seen() == displays::turned(picture, o));
 }
+
+/// A sink that keeps the frame.
+struct KeptFrame {
+    displays::Seen seen{};
+    void flush(Area area, const uint16_t* pixels, size_t bytes, bool) {
+        seen.width = area.width, seen.height = area.y + area.height;
+        for (size_t i = 0; i < bytes / 2; ++i) seen.pixels.push_back(Rgb565Swapped::swapped(pixels[i]));
+    }
+    void wait() {}
+};
 
 /// What a driver says when it gives up.
 template <class Action>

@@ -1,7 +1,7 @@
 // The board stm32f4_ili9341, its clocks and its display's wires, on a model of the chip and of the panel.
 #include <gtest/gtest.h>
 
-#include <board.hpp>
+#include <apps/turntable_scene.hpp>
 
 #include "tests/chips/shown.hpp"
 #include "tests/chips/stm32f4.hpp"
@@ -43,6 +43,20 @@ TEST_F(Stm32f4Board, AFrameInOnePieceIsSentInPartsThatTheStreamCounts) {
     Display<Port> display;
     send(display, picture, Board::height_px);
     expect_shown(chip, panel, picture, Orientation{1});
+}
+
+TEST_F(Stm32f4Board, ThePanelShowsTheTurntable) {
+    stm32f4::begin_clocks<Port>();
+    static TurntableWorkspace workspace;
+    static BoardBuffer buffers[Board::bands];
+    TurntableRenderer renderer(workspace);
+    const Pose pose = turntable_pose(7);
+    Display<Port> display;
+    present(renderer, {.poses = &pose}, screen, buffers, display);
+    KeptFrame drawn;
+    present(renderer, {.poses = &pose}, screen, buffers, drawn);
+    expect_shown(chip, panel, drawn.seen, Orientation{1});
+    displays::expect_kept_picture("boards/stm32f4_ili9341", drawn.seen);
 }
 
 TEST_F(Stm32f4Board, WhatNeverEndsIsSaid) {

@@ -1,13 +1,17 @@
-# shade16_identity_build(<machine> PROGRAM <file> COMPILER <program> SOURCES <file>... [FLAGS <flag>...] LINK <command>...): the program of
-# a machine that CMake's own compiler does not make. LINK has <objects> and <program> where they belong. Without its compiler and linker
-# nothing is built, and the test says what is missing.
+# shade16_identity_build(<machine> PROGRAM <file> COMPILER <program> [TOOLCHAIN <file of toolchains/>] SOURCES <file>... [FLAGS <flag>...]
+# LINK <command>...): the program of a machine that CMake's own compiler does not make. LINK has <objects> and <program> where they belong.
+# Without its compiler and linker nothing is built, and the test says what is missing.
 function(shade16_identity_build machine)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "PROGRAM;COMPILER" "SOURCES;FLAGS;LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "PROGRAM;COMPILER;TOOLCHAIN" "SOURCES;FLAGS;LINK")
   list(POP_FRONT arg_LINK linker)
   find_program(SHADE16_${arg_COMPILER} NAMES ${arg_COMPILER})
   find_program(SHADE16_${linker} NAMES ${linker})
   if(NOT SHADE16_${arg_COMPILER} OR NOT SHADE16_${linker})
     return()
+  endif()
+  if(arg_TOOLCHAIN)  # for this function alone
+    include(${PROJECT_SOURCE_DIR}/toolchains/${arg_TOOLCHAIN}.cmake)
+    list(PREPEND arg_FLAGS --target=${CMAKE_CXX_COMPILER_TARGET} ${SHADE16_FREESTANDING} ${SHADE16_FREESTANDING_CXX})
   endif()
 
   get_target_property(warnings shade16_warnings INTERFACE_COMPILE_OPTIONS)

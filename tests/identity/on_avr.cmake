@@ -8,10 +8,9 @@ endif()
 set(programs)
 foreach(group IN ITEMS number vector glsl)
   set(program ${CMAKE_CURRENT_BINARY_DIR}/identity/avr_${group}/identity.elf)
-  shade16_identity_build(avr_${group} PROGRAM ${program} COMPILER clang++
+  shade16_identity_build(avr_${group} PROGRAM ${program} COMPILER clang++ TOOLCHAIN clang-avr
     SOURCES tests/identity/${group}_kernels.cpp tests/identity/main_avr.cpp firmware/runtime/console.cpp firmware/runtime/memory_functions.cpp
-    FLAGS --target=avr -mmcu=atmega1284p -Oz -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics -ffunction-sections
-          -fdata-sections -Wno-avr-rtlib-linking-quirks -DSHADE16_KERNELS=say_${group}_kernels -DSHADE16_INPUTS=${inputs}
+    FLAGS -mmcu=atmega1284p -Oz -DSHADE16_KERNELS=say_${group}_kernels -DSHADE16_INPUTS=${inputs}
     LINK avr-gcc -mmcu=atmega1284p -nostdlib -Wl,--gc-sections <objects> -lgcc -o <program>)
   list(APPEND programs ${program})
 endforeach()

@@ -1,6 +1,6 @@
 // Runs an ELF image on an emulated RP2040, from the boot stage on: prints what it says on UART 0 and ends with its exit status.
-//   node run.mjs [--log FILE] IMAGE.elf
-// The log is what a display on SPI 0 sees, a word an event: w<ms> time that passed, r0 and r1 its reset line, c<hex> a command and d<hex>
+//   node run.mjs [--log FILE] [--tell WORD] IMAGE.elf
+// The word is sent to UART 0 when the program first says something. The log is what a display on SPI 0 sees, a word an event: w<ms> time that passed, r0 and r1 its reset line, c<hex> a command and d<hex>
 // a byte of data, by the data/command line.
 import fs from 'node:fs';
 import { ConsoleLogger, GPIOPinState, LogLevel, RP2040 } from 'rp2040js';
@@ -43,7 +43,8 @@ function boot(mcu) {
 
 const words = process.argv.slice(2);
 const log = words[0] === '--log' ? fs.createWriteStream(words.splice(0, 2)[1]) : null;
-if (words.length !== 1) fail('usage: node run.mjs [--log FILE] IMAGE.elf');
+let told = words[0] === '--tell' ? words.splice(0, 2)[1] : '';
+if (words.length !== 1) fail('usage: node run.mjs [--log FILE] [--tell WORD] IMAGE.elf');
 
 const mcu = new RP2040();
 mcu.logger = new ConsoleLogger(LogLevel.Error, true);
@@ -52,6 +53,8 @@ boot(mcu);
 
 let printed = '', status = null;
 mcu.uart[0].onByte = (byte) => {
+  for (const letter of told) mcu.uart[0].feedByte(letter.charCodeAt(0));
+  told = '';
   printed += String.fromCharCode(byte);
   if (byte !== 10) return;
   const end = printed.match(/^exit (\d+)\n$/);

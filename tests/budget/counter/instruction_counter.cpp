@@ -1,13 +1,13 @@
 // A QEMU plugin: how often each instruction of the first frame is executed, and how deep the stack grew by then.
 //
-//   -plugin <this>,begin=<address>,end=<address>,stack=<address>,stack_end=<address>,shared=<file>,out=<file>
+//   -plugin <this>,main=<address>,begin=<address>,end=<address>,stack=<address>,stack_end=<address>,shared=<file>,out=<file>
 //
 // Counting starts before the first instruction at `begin` and stops before the next one at `end`. `shared` lists, a
 // line each, the ranges "<first> <end>" of code that works for whoever calls it: such an instruction is counted apart
 // for each caller, which is the last instruction before it outside of every range. What is written to `out`, a line
 // each:
 //
-//   stack <bytes from stack_end down to the lowest address that was stored to, since the machine started>
+//   stack <bytes from stack_end down to the lowest address that was stored to, since main() began: before, the stack is painted>
 //   <address> <caller, or 0> <times executed>
 #include "qemu_plugin.hpp"
 
@@ -36,7 +36,7 @@ struct Range {
 enum class Phase { before, counting, after };
 
 struct Counter {
-    uint64_t begin = 0, end = 0;
+    uint64_t main = 0, begin = 0, end = 0;
     Range stack{};
     std::vector<Range> shared{};
     std::string out{};
@@ -75,6 +75,7 @@ void change_phase(uint64_t address) {
 void before_instruction(unsigned, void* data) {
     auto& instruction = *static_cast<Instruction*>(data);
     if (instruction.address == counter.begin || instruction.address == counter.end) change_phase(instruction.address);
+    if (instruction.address == counter.main && counter.phase == Phase::before) counter.lowest_store = counter.stack.end;
     if (counter.phase != Phase::counting) return;
     if (!instruction.is_shared) counter.caller = instruction.address;
     const uint64_t caller = instruction.is_shared ? counter.caller : 0;
@@ -118,7 +119,9 @@ bool take_argument(std::string_view argument) {
     const std::string_view name = argument.substr(0, equals);
     const std::string value(argument.substr(equals + 1));
     const uint64_t address = std::strtoull(value.c_str(), nullptr, 0);
-    if (name == "begin")
+    if (name == "main")
+        counter.main = address;
+    else if (name == "begin")
         counter.begin = address;
     else if (name == "end")
         counter.end = address;
