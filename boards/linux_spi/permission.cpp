@@ -26,12 +26,12 @@ host::Error permission_denied(const std::string& line, const std::string& device
     const bool known = stat(device.c_str(), &status) == 0;
     if (known && status.st_gid != 0 && (status.st_mode & 060) == 060) {
         const std::string group = group_name(status.st_gid, groups);
-        return host::io_error("line '{}': {} is open to group '{}' alone, and this user is not in it; 'sudo adduser $USER {}' and a new login mend it", line, device,
+        return host::io_error("line '{}': {} is open to group '{}' alone, and this user is not in it; 'sudo adduser $USER {}' and a new login mend it.", line, device,
                               group, group);
     }
     return host::io_error(
         "line '{}': {} is open to root alone; 'sudo chgrp gpio {}' and 'sudo chmod g+rw {}' (or a udev rule that does so at every start), "
-        "'sudo adduser $USER gpio' and a new login mend it",
+        "'sudo adduser $USER gpio' and a new login mend it.",
         line, device, device, device);
 }
 
