@@ -11,9 +11,10 @@ if(COMMAND shade16_add_test)
   endforeach()
 endif()
 
-# The program of the guest and this computer's hash of its frame. Linked statically, because the guest has nothing but a shell.
+# The program of the guest and this computer's hash of its frame. Linked statically, because the guest has nothing but a shell; a
+# sanitizer's programs can not be.
 find_library(SHADE16_GPIOD_STATIC NAMES libgpiod.a)
-if(SHADE16_GPIOD_VERSION AND SHADE16_GPIOD_STATIC)
+if(SHADE16_GPIOD_VERSION AND SHADE16_GPIOD_STATIC AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
   shade16_linux_spi(linux_spi_static ${SHADE16_GPIOD_VERSION} fmt::fmt-header-only)
   add_executable(linux_guest linux/guest/main.cpp displays/dcs_model.cpp)
   target_link_libraries(linux_guest PRIVATE linux_spi_static ${SHADE16_GPIOD_STATIC} shade16_warnings)

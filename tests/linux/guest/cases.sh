@@ -24,6 +24,7 @@ whichever="s/^line '\(GPIO11\|GPIO10\|25\)'/line 'GPIO11, GPIO10 or 25'/"
 echo "== what is there"; ls /dev/gpiochip*; guest used
 echo "== a frame"; run show "$simulated"
 echo "== lines by name, by number and by chip and offset"; run try GPIO25; run try 25; run try 6; run try gpiochip1:1; run try /dev/gpiochip0:7
+echo "== a line that is active low"; run low "$simulated"
 echo "== a busy line"; start holding hold GPIO25 "another program"; guest used; run try GPIO25; kill $!; ended
 echo "== a name that does not exist"; run try GPI025
 echo "== two lines of one name"; run try TWIN

@@ -8,7 +8,7 @@ foreach(program IN ITEMS qemu-system-x86_64 busybox cpio gzip strip timeout)
   shade16_skip_without_program(${program})
 endforeach()
 if(NOT PROGRAM)
-  shade16_skip("libgpiod-dev, with libgpiod.a, was not installed when this was configured.")
+  shade16_skip("Either libgpiod-dev, with libgpiod.a, was not installed when this was configured, or this is a sanitizer's build.")
 endif()
 shade16_skip_without_file(${KERNEL}/version "scripts/guest.sh fetches Debian's kernel and builds gpio-sim.")
 

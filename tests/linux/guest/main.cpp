@@ -15,8 +15,21 @@ namespace shade16::linux_spi {
 namespace {
 
 constexpr const char* usage =
-    "usage: guest show CHIP | draw CHIP | try LINE | hold LINE CONSUMER | used | as UID COMMAND... | in_the_foreground COMMAND...\n"
+    "usage: guest show CHIP | draw CHIP | try LINE | low CHIP | hold LINE CONSUMER | used | as UID COMMAND... | in_the_foreground COMMAND...\n"
     "CHIP is the simulator's folder of a chip, /sys/devices/platform/gpio-sim.0/gpiochip0.";
+
+/// Which lines the kernel says are in use.
+int used() {
+    int count = 0;
+    for (const std::string& path : chips_of("/dev")) {
+        const gpio::Chip chip(path);
+        for (unsigned offset = 0; offset < chip.line_count(); ++offset)
+            if (const gpio::LineInfo line = chip.line(offset); line.used)
+                std::printf("in use: %s of %s, by '%s'\n", line.name.c_str(), path.c_str(), line.consumer.c_str()), ++count;
+    }
+    std::printf("lines in use: %d\n", count);
+    return 0;
+}
 
 /// Shows the torus once, and compares what the display has with what was drawn.
 int show(const std::string& chip) {
@@ -67,15 +80,27 @@ int draw(const std::string& chip) {
             std::printf("%s in mid-frame: %s\n", stopped.name(), bands.bands > 0 && bands.bands < guest_bands ? "yes" : "no");
             throw;
         }
-    } catch (const Stopped&) {
+    } catch (...) {  // the lines are gone, and the program is not: it is not the kernel who gave them back
         std::printf("backlight: %s\n", panel.lights().c_str());
+        used();
         throw;
     }
 }
 
 int try_line(const std::string& wanted) {
     OutputLine(wanted).set(true);
-    std::printf("line '%s' was set\n", wanted.c_str());
+    OutputLine(wanted).set(true);  // busy, had the first not been given back
+    std::printf("line '%s' was set twice\n", wanted.c_str());
+    return 0;
+}
+
+/// A line that is on when it is low, as the simulator sees it.
+int low(const std::string& chip) {
+    const SimulatedWire wire(chip, 6);
+    OutputLine line("gpiochip0:6", {.active_low = true, .initially = true});
+    std::printf("on at once: %d", wire.high());
+    line.set(false), std::printf(", off: %d", wire.high());
+    line.set(true), std::printf(", on: %d\n", wire.high());
     return 0;
 }
 
@@ -83,19 +108,6 @@ int hold(const std::string& wanted, const std::string& consumer) {
     const OutputLine line(wanted, {.consumer = consumer});
     std::puts("holding"), std::fflush(stdout);
     std::this_thread::sleep_for(std::chrono::minutes(5));
-    return 0;
-}
-
-/// Which lines the kernel says are in use.
-int used() {
-    int count = 0;
-    for (const std::string& path : chips_of("/dev")) {
-        const gpio::Chip chip(path);
-        for (unsigned offset = 0; offset < chip.line_count(); ++offset)
-            if (const gpio::LineInfo line = chip.line(offset); line.used)
-                std::printf("in use: %s of %s, by '%s'\n", line.name.c_str(), path.c_str(), line.consumer.c_str()), ++count;
-    }
-    std::printf("lines in use: %d\n", count);
     return 0;
 }
 
@@ -118,6 +130,7 @@ int run(const std::vector<std::string>& words) {
     if (command == "show" && words.size() == 2) return show(words[1]);
     if (command == "draw" && words.size() == 2) return draw(words[1]);
     if (command == "try" && words.size() == 2) return try_line(words[1]);
+    if (command == "low" && words.size() == 2) return low(words[1]);
     if (command == "hold" && words.size() == 3) return hold(words[1], words[2]);
     if (command == "used" && words.size() == 1) return used();
     if (command == "in_the_foreground" && words.size() > 1) return in_the_foreground(words);
