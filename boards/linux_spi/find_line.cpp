@@ -53,7 +53,8 @@ Survey survey_of(const std::string& name, const std::string& wanted, const std::
     Survey survey;
     const std::vector<std::string> chips = chips_of(devices);
     if (chips.empty())
-        throw host::io_error("line '{}': there is no {}/gpiochip0, nor any other chip with lines; expected a kernel with a driver for the board's GPIO.", wanted, devices);
+        throw host::io_error("line '{}': there is no {}/gpiochip0, nor any other chip with lines; expected a kernel with a driver for the board's GPIO.",
+                             wanted, devices);
     for (const std::string& path : chips) try {
             survey_chip(survey, path, name);
         } catch (const std::system_error& error) {
@@ -90,16 +91,17 @@ host::Error not_found(const std::string& name, const Survey& survey, const std::
     if (survey.names.empty())
         return host::input_error("no line is called '{}', and no line of {} has a name; expected a chip and an offset, such as 'gpiochip0:25'.", name, chips);
     const std::vector<std::string> near = nearest(name, survey.names);
-    if (!near.empty()) return host::input_error("no line of {} is called '{}'; did you mean {}?", chips, name, listed(near, " or "));
-    return host::input_error("no line of {} is called '{}'; expected a name such as {}, or a chip and an offset, such as 'gpiochip0:25'.", chips, name,
-                             survey.names.front());
+    if (!near.empty())
+        return host::input_error("no line of {} is called '{}'; did you mean {}?", chips, name, listed(near, " or "));
+    return host::input_error("no line of {} is called '{}'; expected a name such as {}, or a chip and an offset, such as 'gpiochip0:25'.", chips,
+                             name, survey.names.front());
 }
 
 /// The only line of that name, or nothing.
 std::optional<Place> only(const std::string& wanted, const Survey& survey) {
     if (survey.found.size() > 1) throw two_alike(wanted, survey.found);
     if (survey.found.size() == 1) return survey.found.front();
-    if (!survey.refused.empty()) throw permission_denied(wanted, survey.refused.front());
+    if (!survey.refused.empty()) throw permission_denied("line '" + wanted + "'", survey.refused.front(), "gpio");
     return std::nullopt;
 }
 
@@ -150,7 +152,7 @@ gpio::Chip open_chip(const std::string& path, const std::string& wanted, const s
         return gpio::Chip(path);
     } catch (const std::system_error& error) {
         const int number = error.code().value();
-        if (number == EACCES || number == EPERM) throw permission_denied(wanted, path);
+        if (number == EACCES || number == EPERM) throw permission_denied("line '" + wanted + "'", path, "gpio");
         if (number != ENOENT) throw host::io_error("line '{}': {} cannot be opened: {}; expected a chip with lines.", wanted, path, error.code().message());
         const std::vector<std::string> chips = chips_of(devices);
         throw host::input_error("line '{}': there is no {}; {}.", wanted, path,

@@ -32,7 +32,7 @@ host::Error gone(const std::string& wanted, const std::string& chip) {
 
 host::Error refused(int number, const std::string& wanted, const Place& place) {
     if (number == EBUSY) return busy(wanted, place);
-    if (number == EACCES || number == EPERM) return permission_denied(wanted, place.chip);
+    if (number == EACCES || number == EPERM) return permission_denied("line '" + wanted + "'", place.chip, "gpio");
     if (number == ENODEV) return gone(wanted, place.chip);
     return host::io_error("line '{}' ({}, line {}) cannot be an output: {}; expected a line that can.", wanted, place.chip, place.offset,
                           std::generic_category().message(number));

@@ -126,7 +126,7 @@ TEST_F(Lines, ARefusalNamesTheGroup) {
     const auto said = [&](unsigned group, unsigned mode) {
         EXPECT_EQ(chown(device("gpiochip0").c_str(), static_cast<uid_t>(-1), group), 0);
         std::filesystem::permissions(device("gpiochip0"), static_cast<std::filesystem::perms>(mode));
-        std::string text = permission_denied("GPIO25", device("gpiochip0"), groups).what();
+        std::string text = permission_denied("line 'GPIO25'", device("gpiochip0"), "gpio", groups).what();
         for (std::size_t at; (at = text.find(folder())) != std::string::npos;) text.replace(at, folder().size(), "/dev");
         return text;
     };
