@@ -110,8 +110,8 @@ Place find_number(unsigned number, const std::string& devices) {
     const Survey survey = survey_of(name, wanted, devices);
     if (const auto place = only(wanted, survey)) return *place;
     if (survey.pin_controllers.empty())
-        throw host::input_error("line '{}': no line is called '{}', and no chip's label begins with 'pinctrl-'; expected a chip, too, such as 'gpiochip0:{}'.", wanted,
-                                name, wanted);
+        throw host::input_error("line '{}': no line is called '{}', and no chip's label begins with 'pinctrl-'; expected a chip, too, such as 'gpiochip0:{}'.",
+                                wanted, name, wanted);
     if (survey.pin_controllers.size() > 1) {
         std::vector<Place> places;
         for (const std::string& chip : survey.pin_controllers) places.push_back({chip, number});
