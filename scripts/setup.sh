@@ -12,6 +12,7 @@ if [[ ${1:-} != --demo ]]; then
     gcc-arm-none-eabi binutils-arm-none-eabi libnewlib-arm-none-eabi
     gcc-riscv64-unknown-elf binutils-riscv64-unknown-elf qemu-system-arm qemu-system-misc python3 gappa
     gcc-avr simavr gcc-xtensa-lx106 binutils-xtensa-lx106 rustc
+    libgpiod-dev qemu-system-x86 busybox-static cpio make gcc kmod libelf1 xz-utils
   )
   command -v node >/dev/null || packages+=(nodejs)  # of whatever origin
   command -v npm >/dev/null || packages+=(npm)

@@ -44,6 +44,7 @@ foreach(header IN LISTS headers)
 endforeach()
 
 file(GLOB_RECURSE sources ${SOURCE}/core/*.hpp ${SOURCE}/firmware/*.[ch]pp ${SOURCE}/boards/*.hpp)
+list(FILTER sources EXCLUDE REGEX "/boards/linux_spi/")  # a board that is the host
 foreach(source IN LISTS sources)
   shade16_includes(${source} includes)
   foreach(include IN LISTS includes)
