@@ -1,5 +1,5 @@
 // Panels as text: what their lines mean, that each text is the driver of its name, and the sentence for each mistake.
-#include "boards/linux_spi/panel_file.hpp"
+#include "host_sim/screen/panel_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
