@@ -78,9 +78,7 @@ TEST_F(HiFive1, ATimerThatStandsStillIsNoHang) {
 // What a driver might get wrong, one at a time.
 
 template <uint32_t Address, uint32_t Bits>
-struct Without : Port {  // bits of a register that are never set
-    static void write(uint32_t address, uint32_t value) { chip->write(address, address == Address ? value & ~Bits : value); }
-};
+using Without = BitsNeverSet<Port, Address, Bits>;
 struct AlwaysBack : Port {
     static uint32_t read(uint32_t address) { return address == 0x1002404C ? 0 : chip->read(address); }
 };
@@ -93,15 +91,7 @@ struct NoTime : Port {
 
 template <class Broken>
 std::string complaint_about() {
-    displays::DcsModel panel(st7735_black_tab);
-    Fe310 chip(panel, wiring);
-    Port::chip = &chip;
-    const displays::Seen picture = noise(Board::width_px, Board::height_px);
-    fe310::begin_clocks<Broken>();
-    Display<Broken> display;
-    send(display, picture, Board::band_rows);
-    panel.end();
-    return chip.complaint().empty() ? panel.complaint() : chip.complaint();
+    return chips::complaint_about<Fe310, Display<Broken>>(st7735_black_tab, wiring, fe310::begin_clocks<Broken>, Board::band_rows);
 }
 
 TEST(Fe310Driver, MistakesAreFound) {

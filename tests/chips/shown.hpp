@@ -55,6 +55,25 @@ struct KeptFrame {
     void wait() {}
 };
 
+/// Registers some of whose bits are never set.
+template <class Port, uint32_t Address, uint32_t Bits>
+struct BitsNeverSet : Port {
+    static void write(uint32_t address, uint32_t value) { Port::write(address, address == Address ? value & ~Bits : value); }
+};
+
+/// What the models of chip and panel say about a driver. `begin_clocks` and `Display` are the driver's, on registers that may be broken.
+template <class Chip, class Display>
+std::string complaint_about(const DcsPanel& glass, const typename Chip::Wiring& wiring, void (*begin_clocks)(), int band_rows) {
+    displays::DcsModel panel(glass);
+    Chip chip(panel, wiring);
+    PortTo<Chip>::chip = &chip;
+    begin_clocks();
+    Display display;
+    send(display, noise(Display::width_px, Display::height_px), band_rows);
+    panel.end();
+    return chip.complaint().empty() ? panel.complaint() : chip.complaint();
+}
+
 /// What a driver says when it gives up.
 template <class Action>
 std::string sentence_of(Action action) {
