@@ -54,6 +54,10 @@ foreach(board_and_chip IN ITEMS "stm32f4_ili9341 stm32f4" "hifive1_st7735 fe310"
   target_compile_definitions(${board}_tests PRIVATE SHADE16_DOCS="${PROJECT_SOURCE_DIR}/docs")
 endforeach()
 
+shade16_add_test(silent_chips_tests unit chips/silent_chips_test.cpp chips/console_throws.cpp displays/dcs_model.cpp)
+target_include_directories(silent_chips_tests PRIVATE ${PROJECT_SOURCE_DIR}/firmware)
+target_compile_definitions(silent_chips_tests PRIVATE SHADE16_DOCS="${PROJECT_SOURCE_DIR}/docs")
+
 # Adapters to other libraries, against stubs with their signatures.
 shade16_add_test(adapters_tests unit adapters/adapters_test.cpp)
 target_include_directories(adapters_tests PRIVATE ${PROJECT_SOURCE_DIR}/firmware ${CMAKE_CURRENT_SOURCE_DIR}/adapters/stubs)
@@ -71,7 +75,7 @@ else()
 endif()
 
 # These compare the engine with the reference, or test the simulator itself.
-foreach(group IN ITEMS accuracy system extremes displays stm32f4_ili9341 hifive1_st7735)
+foreach(group IN ITEMS accuracy system extremes displays stm32f4_ili9341 hifive1_st7735 silent_chips)
   if(TARGET ${group}_tests AND TARGET host_sim_library)
     target_link_libraries(${group}_tests PRIVATE host_sim_library)
   endif()
