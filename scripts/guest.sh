@@ -23,25 +23,36 @@ done
 # What a package depends on, of the kernel's own packages.
 kernel_packages_of() { apt-cache depends "$1" | awk '$1 == "Depends:" && $2 ~ /^linux-/ {print $2}'; }
 
-image=$(kernel_packages_of linux-image-amd64)
-[[ $image == linux-image-* ]] || { echo "linux-image-amd64 names no kernel; run 'apt-get update'." >&2; exit 1; }
-version=${image#linux-image-}
-series=$(grep -oE '^[0-9]+\.[0-9]+' <<<"$version")
-headers=linux-headers-$version
+# Sets image, version, headers and source_tree, and leaves the packages in this folder.
+fetch() {
+  image=$(kernel_packages_of linux-image-amd64)
+  [[ $image == linux-image-* ]] || { echo "linux-image-amd64 names no kernel." >&2; return 1; }
+  version=${image#linux-image-}
+  headers=linux-headers-$version
+  source_tree=linux-source-$(grep -oE '^[0-9]+\.[0-9]+' <<<"$version")
+  echo "Fetching Debian's kernel $version and its source"
+  # shellcheck disable=SC2046  # a list of packages
+  apt-get -qq -o APT::Sandbox::User=root download "$image" "$headers" $(kernel_packages_of "$headers") "$source_tree"
+}
+update_lists() {
+  local as_root=()
+  if [[ $EUID -ne 0 ]]; then
+    command -v sudo >/dev/null || { echo "Please run, as root: apt-get update" >&2; return 1; }
+    as_root=(sudo)
+  fi
+  "${as_root[@]}" apt-get -qq -o DPkg::Lock::Timeout=600 update
+}
 
 work=$keep/work
 rm -rf "$work"
 mkdir -p "$work/debs" "$work/root" "$work/module"
 cd "$work/debs"
-echo "Fetching Debian's kernel $version and its source"
-# shellcheck disable=SC2046  # a list of packages
-apt-get -qq -o APT::Sandbox::User=root download "$image" "$headers" $(kernel_packages_of "$headers") "linux-source-$series"
+fetch || { update_lists && fetch; } || exit 1  # the archive keeps only the newest kernels
 
 for deb in linux-headers-* linux-kbuild-* linux-compiler-*; do
   [[ ! -e $deb ]] || dpkg-deb -x "$deb" "$work/root"
 done
 dpkg-deb --fsys-tarfile "$image"_*.deb | tar -x -C "$work/root" --wildcards './boot/vmlinuz-*' '*/fs/configfs/configfs.ko*'
-source_tree=linux-source-$series
 dpkg-deb --fsys-tarfile "$source_tree"_*.deb | tar -xO "./usr/src/$source_tree.tar.xz" |
   tar -xJ -C "$work" "$source_tree"/{drivers/gpio/gpio-sim.c,drivers/gpio/gpiolib.h,kernel/irq/irq_sim.c}
 

@@ -51,7 +51,12 @@ foreach(board_and_chip IN ITEMS "stm32f4_ili9341 stm32f4" "hifive1_st7735 fe310"
   list(POP_FRONT board_and_chip board chip)
   shade16_add_test(${board}_tests unit chips/${board}_test.cpp chips/${chip}.cpp chips/console_throws.cpp displays/dcs_model.cpp)
   target_include_directories(${board}_tests PRIVATE ${PROJECT_SOURCE_DIR}/firmware ${SHADE16_BOARDS_DIR}/${board})
+  target_compile_definitions(${board}_tests PRIVATE SHADE16_DOCS="${PROJECT_SOURCE_DIR}/docs")
 endforeach()
+
+shade16_add_test(silent_chips_tests unit chips/silent_chips_test.cpp chips/console_throws.cpp displays/dcs_model.cpp)
+target_include_directories(silent_chips_tests PRIVATE ${PROJECT_SOURCE_DIR}/firmware)
+target_compile_definitions(silent_chips_tests PRIVATE SHADE16_DOCS="${PROJECT_SOURCE_DIR}/docs")
 
 # Adapters to other libraries, against stubs with their signatures.
 shade16_add_test(adapters_tests unit adapters/adapters_test.cpp)
@@ -70,13 +75,18 @@ else()
 endif()
 
 # These compare the engine with the reference, or test the simulator itself.
-foreach(group IN ITEMS accuracy system extremes displays)
+foreach(group IN ITEMS accuracy system extremes displays stm32f4_ili9341 hifive1_st7735 silent_chips)
   if(TARGET ${group}_tests AND TARGET host_sim_library)
     target_link_libraries(${group}_tests PRIVATE host_sim_library)
   endif()
 endforeach()
-if(TARGET panel_files)
-  target_link_libraries(displays_tests PRIVATE panel_files)
+
+# What shows frames on this computer, against models of what lies behind the kernel.
+if(TARGET screens)
+  target_link_libraries(displays_tests PRIVATE screens)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/screen/*_test.cpp)
+  shade16_add_test(screen_tests unit ${sources} displays/dcs_model.cpp)
+  target_link_libraries(screen_tests PRIVATE screens)
 endif()
 
 # Some run the program as its users do.

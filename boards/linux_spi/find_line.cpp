@@ -53,13 +53,14 @@ Survey survey_of(const std::string& name, const std::string& wanted, const std::
     Survey survey;
     const std::vector<std::string> chips = chips_of(devices);
     if (chips.empty())
-        throw host::io_error("line '{}': there is no {}/gpiochip0, nor any other chip with lines; expected a kernel with a driver for the board's GPIO", wanted, devices);
+        throw host::io_error("line '{}': there is no {}/gpiochip0, nor any other chip with lines; expected a kernel with a driver for the board's GPIO.",
+                             wanted, devices);
     for (const std::string& path : chips) try {
             survey_chip(survey, path, name);
         } catch (const std::system_error& error) {
             if (error.code().value() == EACCES || error.code().value() == EPERM) survey.refused.push_back(path);
             else if (error.code().value() != ENODEV && error.code().value() != ENOENT)  // unplugged meanwhile
-                throw host::io_error("line '{}': {} cannot be read: {}", wanted, path, error.code().message());
+                throw host::io_error("line '{}': {} cannot be read: {}; expected a chip with lines.", wanted, path, error.code().message());
         }
     return survey;
 }
@@ -70,7 +71,7 @@ host::Error two_alike(const std::string& wanted, const std::vector<Place>& place
         on.push_back(place.chip + " (line " + std::to_string(place.offset) + ")");
         ways.push_back("'" + as_chip_and_offset(place) + "'");
     }
-    return host::input_error("line '{}' is on {}; say which, by {}", wanted, listed(on), listed(ways, " or "));
+    return host::input_error("line '{}' is on {}; say which, by {}.", wanted, listed(on), listed(ways, " or "));
 }
 
 /// Up to three names that a mistyped one may have meant, the nearest first.
@@ -88,18 +89,19 @@ std::vector<std::string> nearest(const std::string& typed, std::vector<std::stri
 host::Error not_found(const std::string& name, const Survey& survey, const std::string& devices) {
     const std::string chips = listed(chips_of(devices));
     if (survey.names.empty())
-        return host::input_error("no line is called '{}', and no line of {} has a name; expected a chip and an offset, such as 'gpiochip0:25'", name, chips);
+        return host::input_error("no line is called '{}', and no line of {} has a name; expected a chip and an offset, such as 'gpiochip0:25'.", name, chips);
     const std::vector<std::string> near = nearest(name, survey.names);
-    if (!near.empty()) return host::input_error("no line of {} is called '{}'; did you mean {}?", chips, name, listed(near, " or "));
-    return host::input_error("no line of {} is called '{}'; expected a name such as {}, or a chip and an offset, such as 'gpiochip0:25'", chips, name,
-                             survey.names.front());
+    if (!near.empty())
+        return host::input_error("no line of {} is called '{}'; did you mean {}?", chips, name, listed(near, " or "));
+    return host::input_error("no line of {} is called '{}'; expected a name such as {}, or a chip and an offset, such as 'gpiochip0:25'.", chips,
+                             name, survey.names.front());
 }
 
 /// The only line of that name, or nothing.
 std::optional<Place> only(const std::string& wanted, const Survey& survey) {
     if (survey.found.size() > 1) throw two_alike(wanted, survey.found);
     if (survey.found.size() == 1) return survey.found.front();
-    if (!survey.refused.empty()) throw permission_denied(wanted, survey.refused.front());
+    if (!survey.refused.empty()) throw permission_denied("line '" + wanted + "'", survey.refused.front(), "gpio");
     return std::nullopt;
 }
 
@@ -108,8 +110,8 @@ Place find_number(unsigned number, const std::string& devices) {
     const Survey survey = survey_of(name, wanted, devices);
     if (const auto place = only(wanted, survey)) return *place;
     if (survey.pin_controllers.empty())
-        throw host::input_error("line '{}': no line is called '{}', and no chip's label begins with 'pinctrl-'; expected a chip, too, such as 'gpiochip0:{}'", wanted,
-                                name, wanted);
+        throw host::input_error("line '{}': no line is called '{}', and no chip's label begins with 'pinctrl-'; expected a chip, too, such as 'gpiochip0:{}'.",
+                                wanted, name, wanted);
     if (survey.pin_controllers.size() > 1) {
         std::vector<Place> places;
         for (const std::string& chip : survey.pin_controllers) places.push_back({chip, number});
@@ -123,7 +125,7 @@ std::optional<Place> chip_and_offset(const std::string& wanted, const std::strin
     const std::size_t colon = wanted.rfind(':');
     if (colon == std::string::npos || !(wanted.starts_with("gpiochip") || wanted.starts_with("/"))) return std::nullopt;
     const auto offset = number_of(wanted.substr(colon + 1));
-    if (!offset) throw host::input_error("line '{}' has no number behind its colon; expected a chip and an offset, such as 'gpiochip0:25'", wanted);
+    if (!offset) throw host::input_error("line '{}' has no number behind its colon; expected a chip and an offset, such as 'gpiochip0:25'.", wanted);
     const std::string chip = wanted.substr(0, colon);
     return Place{chip.starts_with("/") ? chip : devices + "/" + chip, *offset};
 }
@@ -150,16 +152,16 @@ gpio::Chip open_chip(const std::string& path, const std::string& wanted, const s
         return gpio::Chip(path);
     } catch (const std::system_error& error) {
         const int number = error.code().value();
-        if (number == EACCES || number == EPERM) throw permission_denied(wanted, path);
-        if (number != ENOENT) throw host::io_error("line '{}': {} cannot be opened: {}; expected a chip with lines", wanted, path, error.code().message());
+        if (number == EACCES || number == EPERM) throw permission_denied("line '" + wanted + "'", path, "gpio");
+        if (number != ENOENT) throw host::io_error("line '{}': {} cannot be opened: {}; expected a chip with lines.", wanted, path, error.code().message());
         const std::vector<std::string> chips = chips_of(devices);
-        throw host::input_error("line '{}': there is no {}; {}", wanted, path,
+        throw host::input_error("line '{}': there is no {}; {}.", wanted, path,
                                 chips.empty() ? "this computer has no chip with lines" : "there is " + listed(chips));
     }
 }
 
 Place find_line(const std::string& wanted, const std::string& devices) {
-    if (wanted.empty()) throw host::input_error("a line's name is empty; expected a name such as 'GPIO25', or a chip and an offset, such as 'gpiochip0:25'");
+    if (wanted.empty()) throw host::input_error("a line's name is empty; expected a name such as 'GPIO25', or a chip and an offset, such as 'gpiochip0:25'.");
     if (const auto place = chip_and_offset(wanted, devices)) return *place;
     if (const auto number = number_of(wanted)) return find_number(*number, devices);
     const Survey survey = survey_of(wanted, wanted, devices);

@@ -14,7 +14,7 @@ struct LineInfo {
     bool used = false;
 };
 
-/// An open chip; closed with the last line that was asked of it.
+/// An open chip. A Request takes it along.
 class Chip {
 public:
     explicit Chip(const std::string& path);

@@ -30,7 +30,7 @@ LineInfo Chip::line(unsigned offset) const {
 }
 
 Request::Request(Chip chip, unsigned offset, const Wish& wish) : chip_(std::move(chip)), offset_(offset) {
-    gpiod_line* const line = checked(gpiod_chip_get_line(chip_.handle(), offset));
+    gpiod_line* const line = checked(gpiod_chip_get_line(chip_.handle(), offset_));
     const int flags = wish.active_low ? GPIOD_LINE_REQUEST_FLAG_ACTIVE_LOW : 0;
     if (gpiod_line_request_output_flags(line, wish.consumer.c_str(), flags, wish.initially) != 0)
         throw std::system_error(errno, std::generic_category());

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <system_error>
 
+#include "boards/linux_spi/device_gone.hpp"
 #include "boards/linux_spi/find_line.hpp"
 #include "boards/linux_spi/permission.hpp"
 #include "host_sim/error.hpp"
@@ -22,26 +23,26 @@ std::string holder_of(const Place& place) {
 
 host::Error busy(const std::string& wanted, const Place& place) {
     const std::string holder = holder_of(place);
-    return host::io_error("line '{}' ({}, line {}) is busy: {} holds it; end that, or choose another line", wanted, place.chip, place.offset,
+    return host::io_error("line '{}' ({}, line {}) is busy: {} holds it; end that, or choose another line.", wanted, place.chip, place.offset,
                           holder.empty() ? "another program" : "'" + holder + "'");
 }
 
-host::Error gone(const std::string& wanted, const std::string& chip) {
-    return host::io_error("line '{}': its chip {} is gone; expected it to stay plugged in while the display is driven", wanted, chip);
+DeviceGone gone(const std::string& wanted, const std::string& chip) {
+    return DeviceGone(host::io_error("line '{}': its chip {} is gone; expected it to stay plugged in while the display is driven.", wanted, chip));
 }
 
 host::Error refused(int number, const std::string& wanted, const Place& place) {
     if (number == EBUSY) return busy(wanted, place);
-    if (number == EACCES || number == EPERM) return permission_denied(wanted, place.chip);
+    if (number == EACCES || number == EPERM) return permission_denied("line '" + wanted + "'", place.chip, "gpio");
     if (number == ENODEV) return gone(wanted, place.chip);
-    return host::io_error("line '{}' ({}, line {}) cannot be an output: {}; expected a line that can", wanted, place.chip, place.offset,
+    return host::io_error("line '{}' ({}, line {}) cannot be an output: {}; expected a line that can.", wanted, place.chip, place.offset,
                           std::generic_category().message(number));
 }
 
 void expect_line(const gpio::Chip& chip, const std::string& wanted, const Place& place) {
     const unsigned count = chip.line_count();
     if (place.offset >= count)
-        throw host::input_error("line '{}': {} has no line {}; expected 0 to {}", wanted, place.chip, place.offset, count - 1);
+        throw host::input_error("line '{}': {} has no line {}; expected 0 to {}.", wanted, place.chip, place.offset, count - 1);
 }
 
 std::unique_ptr<gpio::Request> request_of(const std::string& wanted, const Place& place, const LineOptions& options) {
@@ -67,7 +68,7 @@ void OutputLine::set(bool on) {
         request_->set(on);
     } catch (const std::system_error& error) {
         if (error.code().value() == ENODEV) throw gone(wanted_, chip_);
-        throw host::io_error("line '{}' ({}) cannot be set: {}; expected an output", wanted_, chip_, error.code().message());
+        throw host::io_error("line '{}' ({}) cannot be set: {}; expected an output.", wanted_, chip_, error.code().message());
     }
 }
 

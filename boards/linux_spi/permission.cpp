@@ -21,18 +21,18 @@ std::string group_name(gid_t id, const std::string& groups) {
 
 }  // namespace
 
-host::Error permission_denied(const std::string& line, const std::string& device, const std::string& groups) {
+host::Error permission_denied(const std::string& what, const std::string& device, const std::string& usual_group, const std::string& groups) {
     struct stat status {};
     const bool known = stat(device.c_str(), &status) == 0;
     if (known && status.st_gid != 0 && (status.st_mode & 060) == 060) {
         const std::string group = group_name(status.st_gid, groups);
-        return host::io_error("line '{}': {} is open to group '{}' alone, and this user is not in it; 'sudo adduser $USER {}' and a new login mend it", line, device,
+        return host::io_error("{}: {} is open to group '{}' alone, and this user is not in it; 'sudo adduser $USER {}' and a new login mend it.", what, device,
                               group, group);
     }
     return host::io_error(
-        "line '{}': {} is open to root alone; 'sudo chgrp gpio {}' and 'sudo chmod g+rw {}' (or a udev rule that does so at every start), "
-        "'sudo adduser $USER gpio' and a new login mend it",
-        line, device, device, device);
+        "{}: {} is open to root alone; 'sudo chgrp {} {}' and 'sudo chmod g+rw {}' (or a udev rule that does so at every start), "
+        "'sudo adduser $USER {}' and a new login mend it.",
+        what, device, usual_group, device, device, usual_group);
 }
 
 }  // namespace shade16::linux_spi

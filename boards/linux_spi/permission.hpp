@@ -5,7 +5,7 @@
 
 namespace shade16::linux_spi {
 
-/// `what` is what the device was opened for: a line.
-host::Error permission_denied(const std::string& line, const std::string& device, const std::string& groups = "/etc/group");
+/// `what` begins the sentence: what the device was opened for. `usual_group` is whom such devices belong to where root did not keep them.
+host::Error permission_denied(const std::string& what, const std::string& device, const std::string& usual_group, const std::string& groups = "/etc/group");
 
 }  // namespace shade16::linux_spi

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <cstdio>
 #include <cstring>
 
 #include "boards/linux_spi/device_gone.hpp"
+#include "boards/linux_spi/permission.hpp"
 
 namespace shade16::linux_spi {
 
@@ -24,12 +26,20 @@ std::size_t buffer_bytes(SystemCalls& system) {
     return bytes < least_message_bytes ? usual_buffer_bytes : bytes;
 }
 
-/// What mends it, where somebody knows.
+/// The line of a Raspberry Pi's configuration that brings a device: /dev/spidev<bus>.<select>.
+/// Source: Raspberry Pi's boot/overlays/README, spi<bus>-<number of selects>cs.
+std::string overlay_of(const std::string& device) {
+    unsigned bus = 0, select = 0;
+    char rest = 0;
+    if (std::sscanf(device.c_str(), "/dev/spidev%u.%u%c", &bus, &select, &rest) != 2 || bus == 0) return "dtparam=spi=on";
+    return fmt::format("dtoverlay=spi{}-{}cs", bus, select + 1);
+}
+
 host::Error cannot_open(const std::string& device, int error) {
-    if (error == ENOENT)
-        return host::io_error("{}: there is no such device; expected SPI to be on: 'dtparam=spi=on' in /boot/firmware/config.txt on a Raspberry Pi, and a restart.", device);
-    if (error == EACCES)
-        return host::io_error("{}: you have no right to use it; expected you in its group: 'sudo adduser $USER spi', then log in again.", device);
+    if (error == ENOENT || error == ENXIO)
+        return host::io_error("{}: there is no such device; expected SPI to be on: on a Raspberry Pi '{}' in /boot/firmware/config.txt and a restart bring it.",
+                              device, overlay_of(device));
+    if (error == EACCES || error == EPERM) return permission_denied("SPI", device, "spi");
     return host::io_error("{}: cannot be opened: {}.", device, std::strerror(error));
 }
 

@@ -27,6 +27,8 @@ StopOnSignal::~StopOnSignal() {
 
 int StopOnSignal::asked() const { return asked_by; }
 
+const char* Stopped::name() const { return signal == SIGINT ? "SIGINT" : signal == SIGTERM ? "SIGTERM" : "SIGHUP"; }
+
 void end_by(const Stopped& stopped) {
     std::signal(stopped.signal, SIG_DFL);
     std::raise(stopped.signal);

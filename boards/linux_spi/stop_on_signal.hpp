@@ -9,6 +9,7 @@ namespace shade16::linux_spi {
 /// Thrown by a loop that was asked to stop.
 struct Stopped {
     int signal = 0;
+    const char* name() const;  // "SIGTERM"
 };
 
 /// From its constructor to its destructor SIGINT, SIGTERM and SIGHUP ask to stop; the same signal a second time ends the program at once.

@@ -63,8 +63,9 @@ shade16_status check_terms(const Scene& scene) {
     return first_lacking(chosen_terms, needs_of(scene));
 }
 
-/// Flattened, so that the compiler computes the bound of the table's error, which is a constant: a call would divide 64 bits.
-[[gnu::flatten]] void make_kernel(KeptKernel& kept, Q16 exponent) {
+/// Flattened, so that the compiler computes the bound of the table's error, which is a constant: a call would divide 64 bits. A library
+/// without specular light has no call.
+[[gnu::flatten, maybe_unused]] void make_kernel(KeptKernel& kept, Q16 exponent) {
     kept.kernel = shininess<Precision>(exponent);
     kept.exponent = exponent.raw;
 }

@@ -1,4 +1,4 @@
-// The console of a board with a serial line: `Board::Uart` has begin(), send(byte) and wait(). A program that ends says so and rests.
+// The console of a board with a serial line: `Board::Uart` has begin(), send(byte), heard() (a byte, or -1) and wait(). A program that ends says so and rests.
 #include <board.hpp>
 #include <runtime/console.hpp>
 
@@ -20,20 +20,17 @@ void print(const char* text) {
 }
 
 /// What was sent to it before it was asked, if it hears.
-bool is_told([[maybe_unused]] const char* word) {
-    if constexpr (requires { Uart::heard(); }) {
-        begin();
-        static char words[33];  // as much as a chip keeps
-        for (char* next = words; next != words + 32; ++next) {
-            const int byte = Uart::heard();
-            if (byte < 0) break;
-            *next = static_cast<char>(byte);
-        }
-        const char* at = words;
-        while (*word != 0 && *at == *word) ++at, ++word;
-        return *word == 0 && *at == 0;
+bool is_told(const char* word) {
+    begin();
+    static char words[33];  // as much as a chip keeps
+    for (char* next = words; next != words + 32; ++next) {
+        const int byte = Uart::heard();
+        if (byte < 0) break;
+        *next = static_cast<char>(byte);
     }
-    return false;
+    const char* at = words;
+    while (*word != 0 && *at == *word) ++at, ++word;
+    return *word == 0 && *at == 0;
 }
 
 void exit(int status) {

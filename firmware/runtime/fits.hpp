@@ -6,7 +6,7 @@
 namespace shade16 {
 
 /// What every app needs besides its own: variables of the runtime, and a stack.
-inline constexpr size_t least_stack_bytes = 1024;
+inline constexpr size_t least_stack_bytes = 2400;
 
 /// What a mesh takes in flash.
 constexpr size_t flash_bytes_of(const Mesh& m) {
@@ -17,7 +17,7 @@ constexpr size_t flash_bytes_of(const Mesh& m) {
 /// The compiler prints the template's arguments: how many bytes are not there.
 template <size_t LacksBytesOfRam>
 constexpr bool ram_suffices() {
-    static_assert(LacksBytesOfRam == 0, "the workspace and the bands do not fit the board's RAM: make the bands or the mesh smaller, or replay vertices");
+    static_assert(LacksBytesOfRam == 0, "the workspace and the bands do not fit the board's RAM: make the bands smaller, take one instead of two, or replay vertices");
     return true;
 }
 template <size_t LacksBytesOfFlash>

@@ -1,15 +1,9 @@
 // From reset to main() on RISC-V in machine mode, and one sentence when the processor traps.
+#include <runtime/allow_csr.hpp>
 #include <runtime/ending.hpp>
 #include <runtime/variables.hpp>
 
 int main();
-
-// GCC's assembler takes instructions for control registers only where it is told to; Clang's of version 14 takes them, and not the telling.
-#ifdef __clang__
-#define ALLOW_CSR
-#else
-#define ALLOW_CSR ".option arch, +zicsr\n"
-#endif
 
 extern "C" {
 

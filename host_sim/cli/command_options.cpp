@@ -171,7 +171,7 @@ void add_show(CLI::App& app, ShowOptions& o) {
     add(app, "--select", "LINE", "with --clock: the panel's select line, where it has one", [&](const std::string& word) { s.select_line = word; });
     add(app, "--framebuffer", "DEVICE", "of --board fbdev [/dev/fb0]", [&](const std::string& word) { s.framebuffer = word; });
     add(app, "--fps", "N", "frames a second at most [30]", [&](const std::string& word) { o.fps = whole_number("--fps", word, 1, 1000); });
-    add(app, "--frames", "N", "stop after so many, 90 a turn [until Ctrl-C]", [&](const std::string& word) { o.frames = whole_number("--frames", word, 1, 100'000'000); });
+    add(app, "--frames", "N", "stop after so many, 90 a turn [until Ctrl-C]", [&](const std::string& word) { o.scene.frames = whole_number("--frames", word, 1, 100'000'000); });
     add_flag(app, "--off", s.off_at_end, "switch panel and backlight off at the end");
     add_flag(app, "--dry-run", s.dry_run, "print what the panel would be sent");
     add_flag(app, "--list-panels", o.lists_panels, "print the panels and end");

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "host_sim/screen/open_screen.hpp"
+#include "host_sim/cli/open_screen.hpp"
 #include "host_sim/bounds/shard.hpp"
 #include "host_sim/engine/formats.hpp"
 #include "shade16/pipeline/transform.hpp"
@@ -67,10 +67,9 @@ struct PreviewOptions {
 };
 
 struct ShowOptions {
-    PreviewOptions scene{};  // its format is the screen's
+    PreviewOptions scene{};  // its format is the screen's, where that has one
     ScreenOptions screen{};
     int fps = 30;
-    int frames = 0;  // 0: until somebody ends it
     bool quiet = false;
     bool lists_panels = false, probes = false;  // instead of showing
 };

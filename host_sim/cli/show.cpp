@@ -1,14 +1,17 @@
 #include "host_sim/cli/show.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <optional>
 #include <thread>
 
-#include "boards/linux_spi/device_gone.hpp"
 #include "boards/linux_spi/stop_on_signal.hpp"
 #include "host_sim/cli/console.hpp"
+#include "host_sim/cli/ink.hpp"
 #include "host_sim/cli/open_scene.hpp"
+#include "host_sim/cli/terminal.hpp"
 #include "host_sim/engine/turntable.hpp"
-#include "host_sim/screen/open_screen.hpp"
+#include "host_sim/screen/lasting_screen.hpp"
 
 namespace shade16::host {
 
@@ -18,17 +21,31 @@ using Clock = std::chrono::steady_clock;
 constexpr int frames_a_turn = 90;
 constexpr std::chrono::seconds patience{1};  // before a device that has gone is looked for again
 
-/// The scene as the screen takes it.
+/// A grey scene file is shown as its display would where the screen takes that; everything else in full colour, unless somebody asks.
+TargetFormat any_target_of(const PreviewOptions& o, const TargetFormat& of_file) {
+    const TargetFormat usual = is_gray(of_file.format) ? of_file : TargetFormat{Rgb888::name, dither_names[0]};
+    const std::string format = o.format.value_or(usual.format);
+    return {format, o.dither.value_or(o.format ? dither_names[0] : usual.dither)};
+}
+
+/// The scene as a screen of some size and format takes it.
 class Film {
 public:
-    Film(const ShowOptions& o, const Screen& screen)
-        : open_(open_scene(o.scene, screen.size())),
-          turntable_(fixed_turntable(*open_.scene, screen.size(), o.scene.tier, {screen.format(), o.scene.dither.value_or(dither_names[0])}, 0, o.scene.component)) {
-        print_warnings(open_.scene->warnings());
-    }
+    Film(const PreviewOptions& o, Viewport size, const char* format)
+        : size_(size),
+          open_(open_scene(o, size)),
+          turntable_(fixed_turntable(*open_.scene, size, o.tier, target_of(o, format), 0, o.component)) {}
+
+    bool fits(Viewport size) const { return size.width == size_.width && size.height == size_.height; }
     Image frame(int number) { return turntable_->draw(turn_of(number % frames_a_turn, frames_a_turn)); }
+    const std::vector<std::string>& warnings() const { return open_.scene->warnings(); }
 
 private:
+    TargetFormat target_of(const PreviewOptions& o, const char* format) const {
+        if (format == nullptr) return any_target_of(o, open_.description.output.target);
+        return {format, o.dither.value_or(dither_names[0])};
+    }
+    Viewport size_;
     OpenScene open_;
     std::unique_ptr<Turntable> turntable_;
 };
@@ -36,64 +53,70 @@ private:
 double seconds(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
 
 std::string figures_text(const ScreenFigures& f, Clock::duration time, std::size_t lost) {
-    if (f.frames == 0) return "shown: no frame\n";
-    std::string text = fmt::format("shown: {} frames in {:.1f} s, {:.1f} a second; {} bytes of pixels a frame; sending took {:.0f} % of the time\n", f.frames, seconds(time),
-                                   static_cast<double>(f.frames) / seconds(time), f.bytes / f.frames, 100 * seconds(f.sending) / seconds(time));
-    if (lost != 0) text += fmt::format("lost: {} frames, while the device had gone\n", lost);
+    const double all = std::max(seconds(time), 1e-9);
+    std::string text = fmt::format("shown: {} frames in {:.1f} s, {:.1f} a second; {} bytes of pixels a frame; sending took {:.0f} % of the time\n", f.frames, all,
+                                   static_cast<double>(f.frames) / all, f.frames == 0 ? 0 : f.bytes / f.frames, 100 * seconds(f.sending) / all);
+    if (lost != 0) text += fmt::format("lost: {} frames, while the device was away\n", lost);
     return text;
 }
 
-/// Frame after frame until enough are shown or somebody stops it. What the device loses by going is shown anew when it is back.
+/// Frame after frame until enough are shown or somebody stops it.
 class Show {
 public:
-    explicit Show(const ShowOptions& o) : o_(o), screen_(open_screen(o.screen)), film_(o, *screen_) {}
+    explicit Show(const ShowOptions& o) : o_(o), screen_([&o] { return open_screen(o.screen); }) {
+        refit();
+        print_warnings(film_->warnings());
+        frames_ = o.screen.kind == ScreenKind::terminal && !is_terminal(STDOUT_FILENO) && o.scene.frames == 0 ? 1 : o.scene.frames;  // a file would never end
+    }
 
     /// The signal that ended it, or 0.
     int run() {
         const auto begin = Clock::now();
         auto due = begin;
-        for (int number = 0; !is_asked() && (o_.frames == 0 || number < o_.frames); ++number) {
-            show(film_.frame(number));
+        for (int number = 0; !is_ended(); ++number) {
+            refit();
+            show(film_->frame(number));
+            if (number + 1 == frames_) break;
             due = std::max(due + std::chrono::microseconds(1'000'000 / o_.fps), Clock::now());
-            if (o_.frames == 0 || number + 1 < o_.frames) wait_until(due);
+            wait_until(due);
         }
-        if (screen_) add(screen_->figures());
-        if (screen_ && o_.screen.off_at_end) screen_->switch_off();
-        screen_.reset();
-        if (!o_.quiet) print_beside(o_.screen.takes_stdout() ? "-" : "", figures_text(sum_, Clock::now() - begin, lost_));
+        if (Screen* const screen = screen_.screen(); screen != nullptr && o_.screen.off_at_end) screen->switch_off();
+        if (!o_.quiet) print_beside(o_.screen.takes_stdout() ? "-" : "", figures_text(screen_.figures(), Clock::now() - begin, screen_.lost()));
         return stop_.asked();
     }
 
 private:
+    void refit() {
+        const Screen* const screen = screen_.screen();
+        if (screen != nullptr && !(film_ && film_->fits(screen->size()))) film_.emplace(o_.scene, screen->size(), screen->format());
+    }
     void show(const Image& frame) {
-        try {
-            if (!screen_) screen_ = open_screen(o_.screen);
-            screen_->show(frame);
-        } catch (const linux_spi::DeviceGone& gone) {
-            if (screen_) add(screen_->figures());
-            screen_.reset();
-            if (lost_++ == 0 || !was_gone_) print_warnings({gone.what()});
-            was_gone_ = true;
-            wait_until(Clock::now() + patience);
+        const bool was_away = screen_.screen() == nullptr;
+        if (screen_.show(frame)) {
+            if (was_away && !o_.quiet) print_beside("-", "the device is back\n");
             return;
         }
-        was_gone_ = false;
+        if (!was_away) print_warnings({screen_.reason()});
+        wait_until(Clock::now() + patience);
     }
-    bool is_asked() const { return stop_.asked() != 0; }
-    void wait_until(Clock::time_point time) const {
-        constexpr std::chrono::milliseconds glance{10};
-        while (!is_asked() && Clock::now() + glance < time) std::this_thread::sleep_for(glance);
-        if (!is_asked()) std::this_thread::sleep_until(time);
+    bool is_ended() const { return has_quit_ || stop_.asked() != 0; }
+    void wait_until(Clock::time_point time) {
+        constexpr std::chrono::milliseconds glance{10};  // a signal that comes between a look and a sleep waits no longer than this
+        for (auto now = Clock::now(); !is_ended() && now < time; now = Clock::now()) {
+            const auto pause = std::min<Clock::duration>(glance, time - now);
+            if (o_.screen.kind == ScreenKind::terminal && is_terminal(STDOUT_FILENO))
+                has_quit_ = is_quit_typed(static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(pause).count()));
+            else
+                std::this_thread::sleep_for(pause);
+        }
     }
-    void add(const ScreenFigures& f) { sum_.frames += f.frames, sum_.bytes += f.bytes, sum_.sending += f.sending; }
 
     const ShowOptions& o_;
     linux_spi::StopOnSignal stop_{};
-    std::unique_ptr<Screen> screen_;
-    Film film_;
-    ScreenFigures sum_{};
-    std::size_t lost_ = 0;
-    bool was_gone_ = false;
+    LastingScreen screen_;
+    std::optional<Film> film_{};
+    int frames_ = 0;  // 0: until somebody ends it
+    bool has_quit_ = false;
 };
 
 }  // namespace
@@ -108,7 +131,7 @@ ExitCode show(const ShowOptions& o) {
         print(found.text);
         return found.is_ready ? ExitCode::ok : ExitCode::check;
     }
-    // Lines are released and the terminal is as it was; a shell sees what ended it.
+    // By now lines are released and the terminal is as it was; a shell sees what ended it.
     if (const int signal = Show(o).run(); signal != 0) linux_spi::end_by({signal});
     return ExitCode::ok;
 }

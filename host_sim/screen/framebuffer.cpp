@@ -6,6 +6,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "boards/linux_spi/device_gone.hpp"
+#include "boards/linux_spi/permission.hpp"
 #include "host_sim/error.hpp"
 
 namespace shade16::host {
@@ -18,7 +20,7 @@ bool is_xrgb8888(const fb_var_screeninfo& v) { return v.bits_per_pixel == 32 && 
 
 Error cannot_open(const std::string& device, int error) {
     if (error == ENOENT) return io_error("{}: there is no such framebuffer; expected one of /dev/fb*.", device);
-    if (error == EACCES) return io_error("{}: you have no right to use it; expected you in its group: 'sudo adduser $USER video', then log in again.", device);
+    if (error == EACCES || error == EPERM) return linux_spi::permission_denied("framebuffer", device, "video");
     return io_error("{}: cannot be opened: {}.", device, std::strerror(error));
 }
 
@@ -64,6 +66,7 @@ void Framebuffer::write(const std::vector<uint8_t>& row, long at) {
     for (std::size_t done = 0; done < row.size();) {
         const long result = system_.write_at(file_, row.data() + done, row.size() - done, at + static_cast<long>(done));
         if (result == -EINTR) continue;
+        if (result == -ENODEV) throw linux_spi::DeviceGone(io_error("{}: the framebuffer has gone; expected it to stay while frames are shown.", device_));
         if (result <= 0) throw io_error("{}: a row was not written: {}.", device_, result == 0 ? "nothing went in" : std::strerror(static_cast<int>(-result)));
         done += static_cast<std::size_t>(result);
     }
@@ -81,6 +84,7 @@ std::size_t Framebuffer::send(const Image& frame) {
             write(row, first_ + y * row_bytes_);
             sent += row.size();
         }
+    changed_.are_sent(pixels);
     return sent;
 }
 

@@ -1,10 +1,10 @@
-#include "boards/linux_spi/panel_file.hpp"
+#include "host_sim/screen/panel_file.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <optional>
 
-#include "boards/linux_spi/panel_lines.hpp"
+#include "host_sim/screen/panel_lines.hpp"
 #include "host_sim/error.hpp"
 #include "host_sim/model/text_lines.hpp"
 

@@ -1,4 +1,4 @@
-#include "boards/linux_spi/panel_lines.hpp"
+#include "host_sim/screen/panel_lines.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -35,6 +35,7 @@ private:
             bus_.wait();
             sent += count * sizeof(Pixel);
         }
+        changed_.are_sent(frame.raw);
         return sent;
     }
 

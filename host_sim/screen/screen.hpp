@@ -12,6 +12,10 @@ namespace shade16::host {
 struct ScreenFigures {
     std::size_t frames = 0, bytes = 0;  // bytes of pixels that were sent
     std::chrono::steady_clock::duration sending{};
+
+    friend ScreenFigures operator+(const ScreenFigures& a, const ScreenFigures& b) {
+        return {a.frames + b.frames, a.bytes + b.bytes, a.sending + b.sending};
+    }
 };
 
 class Screen {
@@ -21,8 +25,9 @@ public:
     Screen& operator=(const Screen&) = delete;
     virtual ~Screen() = default;
 
+    /// A terminal's may change from frame to frame.
     virtual Viewport size() const = 0;
-    /// One of host_sim/engine/formats.hpp: that of the frames that it takes.
+    /// One of host_sim/engine/formats.hpp: that of the frames that it takes; nullptr if it takes any.
     virtual const char* format() const = 0;
 
     void show(const Image& frame) {

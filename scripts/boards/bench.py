@@ -83,7 +83,7 @@ def main() -> int:
     for sentence in wrong:
         print(f"{sentence}.", file=sys.stderr)
     if wrong:
-        print("If that is meant, run 'scripts/boards.sh --measure'.", file=sys.stderr)
+        print(f"If that is meant, run 'scripts/boards.sh --measure {board}'.", file=sys.stderr)
     return 1 if wrong else 0
 
 

@@ -53,7 +53,7 @@ def recorded() -> dict[str, tuple[int, int]]:
 
 def complaint(board: str, used: int, there: int, record: dict[str, tuple[int, int]]) -> str:
     """A sentence, or nothing."""
-    bless = "run 'scripts/boards.sh --measure'"
+    bless = f"run 'scripts/boards.sh --measure {board}'"
     if used >= there:
         return f"The turntable uses {used} bytes of stack on {board}, which has {there}."
     if board not in record:

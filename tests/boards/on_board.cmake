@@ -18,7 +18,8 @@ endif()
 if(BOARD_CHIP)
   shade16_add_image(tables_in_ram ${PROJECT_SOURCE_DIR}/firmware/apps/turntable.cpp)
   target_compile_definitions(tables_in_ram PRIVATE SHADE16_TABLES_IN_RAM)
-  shade16_add_script_test(tables_in_ram.are_there LABEL boards SCRIPT boards/tables_in_ram.cmake NM=${CMAKE_NM} IMAGE=$<TARGET_FILE:tables_in_ram>)
+  shade16_add_script_test(tables_in_ram.are_there LABEL boards SCRIPT boards/tables_in_ram.cmake NM=${CMAKE_NM} IMAGE=$<TARGET_FILE:tables_in_ram>
+    PLAIN=$<TARGET_FILE:turntable>)
 endif()
 
 if(BOARD_EMULATOR)

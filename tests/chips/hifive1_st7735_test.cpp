@@ -1,7 +1,7 @@
 // The board hifive1_st7735, its clocks and its display's wires, on a model of the chip and of the panel.
 #include <gtest/gtest.h>
 
-#include <board.hpp>
+#include <apps/turntable_scene.hpp>
 
 #include "tests/chips/fe310.hpp"
 #include "tests/chips/shown.hpp"
@@ -42,6 +42,20 @@ TEST_F(HiFive1, ThePanelShowsEveryPixel) {
     EXPECT_EQ(chip.spi_hz(), Board::Bus<Port>::bus_hz);
 }
 
+TEST_F(HiFive1, ThePanelShowsTheTurntable) {
+    fe310::begin_clocks<Port>();
+    static TurntableWorkspace workspace;
+    static BoardBuffer buffers[Board::bands];
+    TurntableRenderer renderer(workspace);
+    const Pose pose = turntable_pose(7);
+    Display<Port> display;
+    present(renderer, {.poses = &pose}, screen, buffers, display);
+    KeptFrame drawn;
+    present(renderer, {.poses = &pose}, screen, buffers, drawn);
+    expect_shown(chip, panel, drawn.seen, Orientation{});
+    displays::expect_kept_picture("boards/hifive1_st7735", drawn.seen);
+}
+
 TEST_F(HiFive1, WhatNeverEndsIsSaid) {
     chip.crystal_is_dead = true;
     EXPECT_EQ(sentence_of([] { fe310::begin_clocks<Port>(); }), "The crystal does not start.");
@@ -64,9 +78,7 @@ TEST_F(HiFive1, ATimerThatStandsStillIsNoHang) {
 // What a driver might get wrong, one at a time.
 
 template <uint32_t Address, uint32_t Bits>
-struct Without : Port {  // bits of a register that are never set
-    static void write(uint32_t address, uint32_t value) { chip->write(address, address == Address ? value & ~Bits : value); }
-};
+using Without = BitsNeverSet<Port, Address, Bits>;
 struct AlwaysBack : Port {
     static uint32_t read(uint32_t address) { return address == 0x1002404C ? 0 : chip->read(address); }
 };
@@ -79,15 +91,7 @@ struct NoTime : Port {
 
 template <class Broken>
 std::string complaint_about() {
-    displays::DcsModel panel(st7735_black_tab);
-    Fe310 chip(panel, wiring);
-    Port::chip = &chip;
-    const displays::Seen picture = noise(Board::width_px, Board::height_px);
-    fe310::begin_clocks<Broken>();
-    Display<Broken> display;
-    send(display, picture, Board::band_rows);
-    panel.end();
-    return chip.complaint().empty() ? panel.complaint() : chip.complaint();
+    return chips::complaint_about<Fe310, Display<Broken>>(st7735_black_tab, wiring, fe310::begin_clocks<Broken>, Board::band_rows);
 }
 
 TEST(Fe310Driver, MistakesAreFound) {

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "tests/chips/chip.hpp"
+#include "tests/displays/kept_picture.hpp"
 #include "tests/displays/turned.hpp"
 
 namespace shade16::chips {
@@ -42,6 +43,35 @@ void expect_shown(const Chip& chip, displays::DcsModel& panel, const displays::S
     EXPECT_EQ(chip.complaint(), "");
     EXPECT_EQ(panel.complaint(), "");
     EXPECT_TRUE(panel.seen() == displays::turned(picture, o));
+}
+
+/// A sink that keeps the frame.
+struct KeptFrame {
+    displays::Seen seen{};
+    void flush(Area area, const uint16_t* pixels, size_t bytes, bool) {
+        seen.width = area.width, seen.height = area.y + area.height;
+        for (size_t i = 0; i < bytes / 2; ++i) seen.pixels.push_back(Rgb565Swapped::swapped(pixels[i]));
+    }
+    void wait() {}
+};
+
+/// Registers some of whose bits are never set.
+template <class Port, uint32_t Address, uint32_t Bits>
+struct BitsNeverSet : Port {
+    static void write(uint32_t address, uint32_t value) { Port::write(address, address == Address ? value & ~Bits : value); }
+};
+
+/// What the models of chip and panel say about a driver. `begin_clocks` and `Display` are the driver's, on registers that may be broken.
+template <class Chip, class Display>
+std::string complaint_about(const DcsPanel& glass, const typename Chip::Wiring& wiring, void (*begin_clocks)(), int band_rows) {
+    displays::DcsModel panel(glass);
+    Chip chip(panel, wiring);
+    PortTo<Chip>::chip = &chip;
+    begin_clocks();
+    Display display;
+    send(display, noise(Display::width_px, Display::height_px), band_rows);
+    panel.end();
+    return chip.complaint().empty() ? panel.complaint() : chip.complaint();
 }
 
 /// What a driver says when it gives up.

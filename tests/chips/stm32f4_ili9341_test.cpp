@@ -1,7 +1,7 @@
 // The board stm32f4_ili9341, its clocks and its display's wires, on a model of the chip and of the panel.
 #include <gtest/gtest.h>
 
-#include <board.hpp>
+#include <apps/turntable_scene.hpp>
 
 #include "tests/chips/shown.hpp"
 #include "tests/chips/stm32f4.hpp"
@@ -45,6 +45,20 @@ TEST_F(Stm32f4Board, AFrameInOnePieceIsSentInPartsThatTheStreamCounts) {
     expect_shown(chip, panel, picture, Orientation{1});
 }
 
+TEST_F(Stm32f4Board, ThePanelShowsTheTurntable) {
+    stm32f4::begin_clocks<Port>();
+    static TurntableWorkspace workspace;
+    static BoardBuffer buffers[Board::bands];
+    TurntableRenderer renderer(workspace);
+    const Pose pose = turntable_pose(7);
+    Display<Port> display;
+    present(renderer, {.poses = &pose}, screen, buffers, display);
+    KeptFrame drawn;
+    present(renderer, {.poses = &pose}, screen, buffers, drawn);
+    expect_shown(chip, panel, drawn.seen, Orientation{1});
+    displays::expect_kept_picture("boards/stm32f4_ili9341", drawn.seen);
+}
+
 TEST_F(Stm32f4Board, WhatNeverEndsIsSaid) {
     chip.crystal_is_dead = true;
     EXPECT_EQ(sentence_of([] { stm32f4::begin_clocks<Port>(); }), "The crystal does not start.");
@@ -72,9 +86,7 @@ TEST_F(Stm32f4Board, AStreamThatNeverEndsIsSaid) {
 // What a driver might get wrong, one at a time.
 
 template <uint32_t Address, uint32_t Bits>
-struct Without : Port {  // bits of a register that are never set
-    static void write(uint32_t address, uint32_t value) { chip->write(address, address == Address ? value & ~Bits : value); }
-};
+using Without = BitsNeverSet<Port, Address, Bits>;
 struct NeverBusy : Port {
     static uint32_t read(uint32_t address) { return address == 0x40013008 ? chip->read(address) & ~0x80u : chip->read(address); }
 };
@@ -84,15 +96,7 @@ struct NeverFull : Port {
 
 template <class Broken>
 std::string complaint_about() {
-    displays::DcsModel panel(ili9341);
-    Stm32f4 chip(panel, wiring);
-    Port::chip = &chip;
-    const displays::Seen picture = noise(Board::width_px, Board::height_px);
-    stm32f4::begin_clocks<Broken>();
-    Display<Broken> display;
-    send(display, picture, Board::band_rows);
-    panel.end();
-    return chip.complaint().empty() ? panel.complaint() : chip.complaint();
+    return chips::complaint_about<Stm32f4, Display<Broken>>(ili9341, wiring, stm32f4::begin_clocks<Broken>, Board::band_rows);
 }
 
 TEST(Stm32f4Driver, MistakesAreFound) {

@@ -1,4 +1,4 @@
-// EXPECT: 60418
+// EXPECT: 61794
 #include <runtime/fits.hpp>
 
 struct Board {

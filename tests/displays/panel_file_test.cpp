@@ -1,15 +1,13 @@
 // Panels as text: what their lines mean, that each text is the driver of its name, and the sentence for each mistake.
-#include "boards/linux_spi/panel_file.hpp"
+#include "host_sim/screen/panel_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <display/gc9a01.hpp>
-#include <display/ili9341.hpp>
-#include <display/st7735.hpp>
-#include <display/st7789.hpp>
 #include <map>
+#include <sstream>
 
+#include <display/all_panels.hpp>
 #include "tests/system/scratch_directory.hpp"
 
 namespace shade16::displays {
@@ -23,9 +21,7 @@ const std::filesystem::path folder = host::source_directory() / "boards/panels";
 
 std::map<std::string, DcsPanel> compiled_panels() {
     std::map<std::string, DcsPanel> panels;
-    for (const DcsPanel& panel : {ili9341, st7789, st7789_240x240, st7789_135x240, st7735_black_tab, st7735_green_tab, st7735_128x128,
-                                  st7735_80x160, st7735_80x160_plug_in, gc9a01})
-        panels.emplace(panel.name, panel);
+    for (const DcsPanel& panel : all_panels) panels.emplace(panel.name, panel);
     return panels;
 }
 
@@ -50,7 +46,7 @@ TEST(PanelFile, EveryTextIsTheDriverOfItsName) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         const PanelFile file = host::read_panel_file(entry.path().string());
         const DcsPanel text = file.panel();
-        ASSERT_EQ(compiled.count(text.name), 1u) << entry.path() << " has no driver in this test; add it here";
+        ASSERT_EQ(compiled.count(text.name), 1u) << entry.path() << " has no driver in all_panels.hpp; add it there";
         const DcsPanel driver = compiled.extract(text.name).mapped();
         EXPECT_EQ(std::vector(driver.beginning, driver.beginning + driver.beginning_bytes), file.beginning) << text.name;
         EXPECT_EQ(facts(driver), facts(text)) << text.name;
@@ -158,6 +154,31 @@ TEST(PanelFile, EveryMistakeHasItsSentence) {
                 HasSubstr("glass/base.txt, line 1: stands on another panel, and glass/mine.txt, line 1 stands on this one; expected '#: as other' there."));
     EXPECT_THAT(refusal("#: as base\n", "delay x\n"), HasSubstr("glass/base.txt, line 1: 'x'"));
     EXPECT_EQ(refusal(rest), "no complaint");
+}
+
+/// The page's indented text from this line on.
+std::string example(const std::string& page, const std::string& first_line) {
+    std::string text;
+    std::istringstream lines(page.substr(std::min(page.find("    " + first_line), page.size())));
+    for (std::string line; std::getline(lines, line) && (line.empty() || line.starts_with("    "));)
+        text += line.substr(std::min<std::size_t>(4, line.size())) + "\n";
+    return text;
+}
+
+TEST(PanelFile, ThePagesExamplesAreRead) {
+    std::ifstream file(SHADE16_DOCS "/panels.md");
+    const std::string page{std::istreambuf_iterator<char>(file), {}};
+    const PanelFile whole = read(example(page, "# ST7789V, the smallest"));
+    EXPECT_THAT(whole.beginning, ElementsAre(dcs::reset, then_wait, 30, dcs::sleep_out, then_wait, 24));
+    EXPECT_EQ(facts(whole.facts), facts(st7789));
+
+    const PanelFile narrow = host::read_panel_text(example(page, "#: as st7789"), (folder / "mine.txt").string(), [](const std::string& path) {
+        std::ifstream base(path);
+        return std::string{std::istreambuf_iterator<char>(base), {}};
+    });
+    EXPECT_EQ(narrow.facts.width_px, 170);
+    EXPECT_EQ(narrow.facts.first_column, 35);
+    EXPECT_EQ(narrow.beginning, std::vector(st7789.beginning, st7789.beginning + st7789.beginning_bytes));
 }
 
 TEST(PanelFile, AFileThatIsMissingIsNamed) {

@@ -4,7 +4,7 @@
 #include <map>
 #include <random>
 
-#include "boards/linux_spi/panel_file.hpp"
+#include "host_sim/screen/panel_file.hpp"
 #include "tests/system/scratch_directory.hpp"
 
 namespace shade16::displays {

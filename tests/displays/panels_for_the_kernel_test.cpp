@@ -4,13 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <display/gc9a01.hpp>
-#include <display/ili9341.hpp>
-#include <display/st7735.hpp>
-#include <display/st7789.hpp>
 #include <random>
 #include <sstream>
 
+#include <display/all_panels.hpp>
 #include "tests/displays/model_bus.hpp"
 #include "tests/system/scratch_directory.hpp"
 
@@ -105,8 +102,7 @@ void send_picture(ByteBus& bus, const Seen& picture, std::pair<int, int> offset)
 }
 
 TEST(PanelsForTheKernel, EveryTextShowsAnUprightPicture) {
-    for (const DcsPanel& panel : {ili9341, st7789, st7789_240x240, st7789_135x240, st7735_black_tab, st7735_green_tab, st7735_128x128,
-                                  st7735_80x160, st7735_80x160_plug_in, gc9a01}) {
+    for (const DcsPanel& panel : all_panels) {
         const std::string text = text_of(panel.name);
         const auto [width, height] = device_tree(text, "glass", {0, 0});
         Seen picture{width, height, {}};

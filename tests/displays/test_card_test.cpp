@@ -1,14 +1,11 @@
 // The test card on every wrong setting, as the model of the display shows it: the pictures of docs/testcard.md.
-// SHADE16_WRITE_PICTURES=1 draws them anew.
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cstdlib>
 #include <display/st7789.hpp>
 #include <display/test_card.hpp>
 
-#include "host_sim/io/frame_writer.hpp"
-#include "host_sim/io/png_reader.hpp"
+#include "tests/displays/kept_picture.hpp"
 #include "tests/displays/model_bus.hpp"
 
 namespace shade16::displays {
@@ -45,23 +42,7 @@ Seen card_when_told() {
     return model.seen();
 }
 
-host::Image as_image(const Seen& seen) {
-    host::Image image{seen.width, seen.height};
-    const auto widened = [](int code, int most) { return static_cast<uint8_t>((code * 255 + most / 2) / most); };
-    for (const uint16_t p : seen.pixels)
-        for (const uint8_t byte : {widened(p >> 11, 31), widened(p >> 5 & 63, 63), widened(p & 31, 31)}) image.rgb.push_back(byte);
-    return image;
-}
-
-void expect_picture(const std::string& name, const Seen& seen) {
-    const std::string path = std::string(SHADE16_DOCS) + "/img/testcard/" + name + ".png";
-    const host::Image image = as_image(seen);
-    if (std::getenv("SHADE16_WRITE_PICTURES") != nullptr) {
-        const auto writer = host::open_png_writer(path, image.width, image.height, 1);
-        writer->write(image), writer->finish();
-    }
-    EXPECT_TRUE(host::read_png(path).rgb == image.rgb) << path << " shows another picture; SHADE16_WRITE_PICTURES=1 draws it anew.";
-}
+void expect_picture(const std::string& name, const Seen& seen) { expect_kept_picture("testcard/" + name, seen); }
 
 TEST(TestCard, ShowsWhatIsWrong) {
     expect_picture("right", card_when_told<st7789_135x240>());

@@ -27,9 +27,14 @@ endif()
 # The pictures behind the hashes, so that a changed frame can be looked at.
 set(pictures_tool none)
 if(TARGET host_sim_library)
+  # Two files of the simulator's, and not all of it: who adds a board waits for this program.
   find_package(PNG REQUIRED)
-  add_executable(golden_pictures ${CMAKE_CURRENT_SOURCE_DIR}/golden/pictures.cpp)
-  target_link_libraries(golden_pictures PRIVATE host_sim_library PNG::PNG shade16_warnings)
+  find_package(ZLIB REQUIRED)
+  find_package(fmt REQUIRED)
+  add_executable(golden_pictures ${CMAKE_CURRENT_SOURCE_DIR}/golden/pictures.cpp ${PROJECT_SOURCE_DIR}/host_sim/io/png_chunk.cpp
+                                 ${PROJECT_SOURCE_DIR}/host_sim/io/atomic_file.cpp)
+  target_include_directories(golden_pictures PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(golden_pictures PRIVATE PNG::PNG ZLIB::ZLIB fmt::fmt shade16_warnings)
   add_dependencies(checks golden_pictures)
   set(pictures_tool $<TARGET_FILE:golden_pictures>)
 endif()

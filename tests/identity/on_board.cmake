@@ -4,6 +4,13 @@ if(NOT BOARD_EMULATOR OR BOARD_TOO_SMALL_FOR_IDENTITY)
   return()
 endif()
 
+# Said here, and not by the linker a minute later.
+file(READ ${SHADE16_BOARDS_DIR}/${BOARD}/memory.ld memory)
+if(memory MATCHES "FLASH[^\n]*LENGTH *= *([0-9]+)K" AND CMAKE_MATCH_1 LESS 160)
+  message(FATAL_ERROR "boards/${BOARD}/memory.ld has ${CMAKE_MATCH_1} KB of flash, and the kernels of docs/identity.md take 142 KB of code beside their runtime; "
+                      "expected set(BOARD_TOO_SMALL_FOR_IDENTITY ON) in its board.cmake.")
+endif()
+
 set(quick_inputs 1000000)
 set(slow_inputs 100000)
 if(BOARD_IDENTITY_INPUTS)  # a slow machine

@@ -28,7 +28,7 @@ struct Wire {
     Wires* wires;
     bool Wires::*which;
     void set(bool high) {
-        if (++wires->changes == wires->fails_at) throw host::io_error("line 'x': its chip is gone");
+        if (++wires->changes == wires->fails_at) throw host::io_error("line 'x': its chip is gone.");
         wires->*which = high;
         if (wires->changed) wires->changed(*wires, wires->*which);
     }

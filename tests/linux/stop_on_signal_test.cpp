@@ -47,7 +47,13 @@ TEST_P(Signals, AreIgnoredWhereTheyWereIgnored) {
     std::signal(GetParam(), SIG_DFL);
 }
 
-INSTANTIATE_TEST_SUITE_P(StopOnSignal, Signals, testing::Values(SIGINT, SIGTERM, SIGHUP));
+TEST(StopOnSignal, SignalsHaveNames) {
+    EXPECT_STREQ(Stopped{SIGINT}.name(), "SIGINT");
+    EXPECT_STREQ(Stopped{SIGTERM}.name(), "SIGTERM");
+    EXPECT_STREQ(Stopped{SIGHUP}.name(), "SIGHUP");
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, Signals, testing::Values(SIGINT, SIGTERM, SIGHUP));
 
 }  // namespace
 }  // namespace shade16::linux_spi

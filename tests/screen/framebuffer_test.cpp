@@ -7,8 +7,8 @@
 #include <cstring>
 #include <random>
 
-#include "boards/linux_spi/framebuffer.hpp"
 #include "host_sim/error.hpp"
+#include "host_sim/screen/framebuffer.hpp"
 
 namespace shade16::host {
 namespace {

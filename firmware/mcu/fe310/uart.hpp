@@ -17,6 +17,7 @@ struct Uart0 {
     static void send(uint8_t byte) {
         if (wait_for<Port>(base, full, 0)) Port::write(base, byte);
     }
+    static int heard() { return -1; }  // it only speaks
     /// Until fewer than one byte waits. The last one may be on the wire yet.
     static void wait() {
         Port::write(base + 8, 1 | 1 << 16);

@@ -18,7 +18,6 @@ struct Uart0 {
     static void send(uint8_t byte) {
         if (wait_for<Port>(flags, full, 0)) Port::write(base, byte);
     }
-    /// A byte that was heard, or -1.
     static int heard() { return (Port::read(flags) & empty) != 0 ? -1 : static_cast<int>(Port::read(base) & 0xFF); }
     static void wait() { static_cast<void>(wait_for<Port>(flags, busy, 0)); }
 

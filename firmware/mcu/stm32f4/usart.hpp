@@ -18,6 +18,7 @@ struct Usart2 {
     static void send(uint8_t byte) {
         if (wait_for<Port>(base, may_send, may_send)) Port::write(base + 4, byte);
     }
+    static int heard() { return -1; }  // it only speaks
     static void wait() { static_cast<void>(wait_for<Port>(base, all_sent, all_sent)); }
 
 private:

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "boards/linux_spi/system_calls.hpp"
-#include "host_sim/screen/open_screen.hpp"
+#include "host_sim/cli/open_screen.hpp"
 #ifdef SHADE16_HAS_GPIO
 #include "boards/linux_spi/output_line.hpp"
 #endif

@@ -1,4 +1,4 @@
-#include "host_sim/screen/open_screen.hpp"
+#include "host_sim/cli/open_screen.hpp"
 
 #include <display/all_panels.hpp>
 
@@ -12,7 +12,7 @@
 #include "host_sim/screen/panel_file.hpp"
 #include "host_sim/screen/panel_screen.hpp"
 #include "host_sim/screen/printed_bus.hpp"
-#include "host_sim/screen/terminal_screen.hpp"
+#include "host_sim/cli/terminal_screen.hpp"
 #ifdef SHADE16_HAS_GPIO
 #include "boards/linux_spi/bit_banged_spi.hpp"
 #include "boards/linux_spi/linux_bus.hpp"
