@@ -36,9 +36,9 @@ std::unique_ptr<KeptPanel> panel_of(const std::string& name) {
         return kept;
     }
     std::vector<std::string> known;
-    for (const DcsPanel* panel : all_panels) known.emplace_back(panel->name);
-    for (const DcsPanel* panel : all_panels)
-        if (name == panel->name) return kept->facts = *panel, std::move(kept);
+    for (const DcsPanel& panel : all_panels) known.emplace_back(panel.name);
+    for (const DcsPanel& panel : all_panels)
+        if (name == panel.name) return kept->facts = panel, std::move(kept);
     const std::string near = nearest_word(name, known);
     throw input_error("--panel {}: no panel has this name{}; expected one of --list-panels, or a file that ends with .txt.", name,
                       near.empty() ? "" : "; did you mean '" + near + "'?");
@@ -122,7 +122,7 @@ std::unique_ptr<Screen> open_screen(const ScreenOptions& o) {
 
 std::string panels_text() {
     std::string text;
-    for (const DcsPanel* panel : all_panels) text += fmt::format("{:<24}{}x{}\n", panel->name, panel->width_px, panel->height_px);
+    for (const DcsPanel& panel : all_panels) text += fmt::format("{:<24}{}x{}\n", panel.name, panel.width_px, panel.height_px);
     return text;
 }
 
