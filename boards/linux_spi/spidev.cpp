@@ -37,8 +37,8 @@ std::string overlay_of(const std::string& device) {
 
 host::Error cannot_open(const std::string& device, int error) {
     if (error == ENOENT || error == ENXIO)
-        return host::io_error("{}: there is no such device; expected SPI to be on: on a Raspberry Pi '{}' in /boot/firmware/config.txt and a restart bring it.",
-                              device, overlay_of(device));
+        return host::io_error("{}: there is no such device; on a Raspberry Pi, 'echo {} | sudo tee -a /boot/firmware/config.txt' and a restart bring it.", device,
+                              overlay_of(device));
     if (error == EACCES || error == EPERM) return permission_denied("SPI", device, "spi");
     return host::io_error("{}: cannot be opened: {}.", device, std::strerror(error));
 }
@@ -51,7 +51,7 @@ Spidev::Spidev(SystemCalls& system, SpidevSettings settings)
     if (file_ < 0) throw cannot_open(settings_.device, -file_);
     uint8_t bits = 8;
     try {
-        set(SPI_IOC_WR_MODE, &settings_.mode, "its mode");
+        set_mode();
         set(SPI_IOC_WR_BITS_PER_WORD, &bits, "words of eight bits");
         set(SPI_IOC_WR_MAX_SPEED_HZ, &settings_.hz, "its clock");
     } catch (...) {
@@ -65,6 +65,16 @@ Spidev::~Spidev() { system_.close(file_); }
 void Spidev::set(unsigned long request, void* value, const char* what) {
     const int result = system_.ioctl(file_, request, value);
     if (result < 0) throw host::io_error("{}: does not take {}: {}.", settings_.device, what, std::strerror(-result));
+}
+
+/// Only where it is another one, and the device's other bits stay: some drivers take no change at all.
+void Spidev::set_mode() {
+    constexpr uint8_t clock_bits = SPI_CPOL | SPI_CPHA;
+    uint8_t mode = 0;
+    const bool known = system_.ioctl(file_, SPI_IOC_RD_MODE, &mode) >= 0;
+    if (known && (mode & clock_bits) == settings_.mode) return;
+    mode = static_cast<uint8_t>((mode & ~clock_bits) | settings_.mode);
+    set(SPI_IOC_WR_MODE, &mode, "its mode");
 }
 
 std::size_t Spidev::next_message(std::size_t left) const {

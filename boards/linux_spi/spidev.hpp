@@ -33,6 +33,7 @@ public:
 private:
     static constexpr uint32_t beginning_hz = 4'000'000;
 
+    void set_mode();
     void set(unsigned long request, void* value, const char* what);
     std::size_t next_message(std::size_t left) const;
     int transfer(const uint8_t* bytes, std::size_t count);

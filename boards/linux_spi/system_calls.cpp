@@ -5,8 +5,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <fstream>
 #include <iterator>
+#include <thread>
 
 namespace shade16::linux_spi {
 
@@ -27,6 +29,7 @@ public:
         const long result = ::pwrite(file, bytes, count, at);
         return result < 0 ? -errno : result;
     }
+    void sleep_ms(uint32_t ms) override { std::this_thread::sleep_for(std::chrono::milliseconds(ms)); }
     std::optional<std::string> text_of(const std::string& path) override {
         std::ifstream file(path);
         if (!file) return std::nullopt;

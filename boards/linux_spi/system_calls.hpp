@@ -1,7 +1,8 @@
-// The system calls of a device file, so that a test can be the kernel.
+// The system calls of a device file, and time that passes, so that a test can be the kernel.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -20,6 +21,7 @@ public:
     virtual int ioctl(int file, unsigned long request, void* argument) = 0;
     /// How many bytes were written, maybe fewer than were to be.
     virtual long write_at(int file, const void* bytes, std::size_t count, long at) = 0;
+    virtual void sleep_ms(uint32_t ms) = 0;
     /// A small text file of the system's, or nothing.
     virtual std::optional<std::string> text_of(const std::string& path) = 0;
 };

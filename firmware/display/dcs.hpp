@@ -9,7 +9,8 @@
 namespace shade16 {
 
 namespace dcs {
-inline constexpr uint8_t reset = 0x01, sleep_out = 0x11, normal_mode = 0x13, not_inverted = 0x20, inverted = 0x21, display_off = 0x28, display_on = 0x29;
+inline constexpr uint8_t no_operation = 0x00, reset = 0x01, sleep_out = 0x11, normal_mode = 0x13;
+inline constexpr uint8_t not_inverted = 0x20, inverted = 0x21, display_off = 0x28, display_on = 0x29;
 inline constexpr uint8_t columns = 0x2A, rows = 0x2B, write_memory = 0x2C, memory_access = 0x36, pixel_format = 0x3A;
 inline constexpr uint8_t rows_mirrored = 0x80, columns_mirrored = 0x40, exchanged = 0x20, blue_first = 0x08;  // of memory_access
 inline constexpr uint8_t sixteen_bits = 0x55;                                                                 // of pixel_format
@@ -100,7 +101,8 @@ constexpr void begin(Bus& bus, const DcsPanel& panel, Orientation o) {
 template <DisplayBus Bus>
 constexpr void send_range(Bus& bus, uint8_t command, int first, int count) {
     const int last = first + count - 1;
-    const uint8_t ends[4] = {static_cast<uint8_t>(first >> 8), static_cast<uint8_t>(first), static_cast<uint8_t>(last >> 8), static_cast<uint8_t>(last)};
+    const uint8_t ends[4] = {static_cast<uint8_t>(first >> 8), static_cast<uint8_t>(first), static_cast<uint8_t>(last >> 8),
+                             static_cast<uint8_t>(last)};
     bus.command(command);
     bus.data(ends, 4);
 }

@@ -73,6 +73,7 @@ public:
         render_options_.given = given_options(*render_);
         compare_options_.given = given_options(*compare_);
         info_options_.given = given_options(*info_);
+        show_options_.given = given_options(*show_);
         materials_options_.given = given_options(*materials_);
         report_options_.given = given_options(*report_);
         if (render_->parsed()) return checked(render_options_);
@@ -107,6 +108,19 @@ private:
     static const ShowOptions& checked(const ShowOptions& o) {
         if (o.scene.model.empty() && !o.lists_panels && !o.probes)
             throw input_error("the scene is missing: expected a scene file or a model; see 'shade16 show --help'.");
+        const auto belong = [&o](std::initializer_list<const char*> options, bool where, const char* to) {
+            for (const char* option : options)
+                if (!where && o.given.contains(option)) throw input_error("{}: belongs to {}; expected both, or neither.", option, to);
+        };
+        belong({"--panel", "--rotate", "--mirror", "--dc", "--reset", "--backlight", "--spi", "--spi-hz", "--spi-mode", "--clock", "--data", "--select", "--off",
+                "--dry-run"},
+               o.screen.kind == ScreenKind::linux_spi, "--board linux_spi");
+        belong({"--framebuffer"}, o.screen.kind == ScreenKind::fbdev, "--board fbdev");
+        belong({"--data", "--select"}, o.given.contains("--clock"), "--clock");
+        belong({"--clock"}, o.given.contains("--data"), "--data");
+        for (const char* option : {"--spi", "--spi-hz", "--spi-mode"})
+            if (o.given.contains("--clock") && o.given.contains(option))
+                throw input_error("{}: --clock and --data take the place of SPI; expected the one or the other.", option);
         return o;
     }
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "host_sim/screen/screen.hpp"
-#include "boards/linux_spi/spidev.hpp"
+#include "host_sim/screen/wires.hpp"
 
 namespace shade16::host {
 
@@ -13,24 +13,18 @@ enum class ScreenKind { linux_spi, fbdev, terminal };
 
 struct ScreenOptions {
     ScreenKind kind = ScreenKind::linux_spi;
-    std::string panel = "ili9341";  // a name that panels_text has, or a file that ends with .txt
+    std::string panel = "ili9341";  // as panel_by_name reads it
     int quarter_turns = 0;
     bool mirrored = false;
-    std::string command_line{}, reset_line{}, backlight_line{};  // of libgpiod; the last two may be empty
-    std::string clock_line{}, data_line{}, select_line{};        // bits sent line by line, without SPI
-    linux_spi::SpidevSettings spi{};
+    Wires wires{};
     std::string framebuffer = "/dev/fb0";
-    bool dry_run = false;     // print what would be sent
-    bool off_at_end = false;  // the panel and its light
+    bool dry_run = false;  // print what would be sent
 
     bool takes_stdout() const { return dry_run || kind == ScreenKind::terminal; }
 };
 
 /// Throws input_error or io_error with what is missing and what brings it.
 std::unique_ptr<Screen> open_screen(const ScreenOptions& options);
-
-/// The panels by name, a line each.
-std::string panels_text();
 
 /// What there is of what a screen needs, and the command that brings what is missing.
 struct Probe {

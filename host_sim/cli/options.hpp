@@ -72,6 +72,7 @@ struct ShowOptions {
     int fps = 30;
     bool quiet = false;
     bool lists_panels = false, probes = false;  // instead of showing
+    std::set<std::string> given{};              // as in RenderOptions
 };
 
 struct MaterialsOptions {

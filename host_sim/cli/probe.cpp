@@ -4,6 +4,7 @@
 
 #include "boards/linux_spi/system_calls.hpp"
 #include "host_sim/cli/open_screen.hpp"
+#include "host_sim/screen/panel_by_name.hpp"
 #ifdef SHADE16_HAS_GPIO
 #include "boards/linux_spi/output_line.hpp"
 #endif
@@ -39,16 +40,18 @@ void look_for_line(Findings& findings, const char* option, const std::string& li
 #ifdef SHADE16_HAS_GPIO
         linux_spi::OutputLine taken(line);
 #else
-        throw input_error("this program was built without libgpiod; expected it to be installed before the build, which Debian has in libgpiod-dev.");
+        throw input_error("this program was built without libgpiod; expected it to be built where libgpiod-dev is installed.");
 #endif
     });
 }
 
 void look_for_wires(Findings& findings, const ScreenOptions& o) {
-    if (o.clock_line.empty()) findings.look("--spi " + o.spi.device, [&] { linux_spi::Spidev spi(linux_spi::system_calls(), o.spi); });
-    if (o.command_line.empty()) findings.look("--dc", [] { throw input_error("the data/command line is not said; expected a line such as --dc GPIO25."); });
-    for (const auto& [option, line] : {std::pair{"--dc", o.command_line}, {"--reset", o.reset_line}, {"--backlight", o.backlight_line}, {"--clock", o.clock_line},
-                                       {"--data", o.data_line}, {"--select", o.select_line}})
+    const Wires& w = o.wires;
+    findings.look("--panel " + o.panel, [&] { panel_by_name(o.panel); });
+    if (w.clock.empty()) findings.look("--spi " + w.spi.device, [&] { linux_spi::Spidev spi(linux_spi::system_calls(), w.spi); });
+    if (w.command.empty()) findings.look("--dc", [] { throw input_error("the data/command line is not said; expected a line such as --dc GPIO25."); });
+    for (const auto& [option, line] : {std::pair{"--dc", w.command}, {"--reset", w.reset}, {"--backlight", w.backlight}, {"--clock", w.clock}, {"--data", w.data},
+                                       {"--select", w.select}})
         look_for_line(findings, option, line);
 }
 

@@ -9,9 +9,12 @@
 #include "host_sim/cli/console.hpp"
 #include "host_sim/cli/ink.hpp"
 #include "host_sim/cli/open_scene.hpp"
+#include "host_sim/cli/open_screen.hpp"
+#include "host_sim/cli/show_figures.hpp"
 #include "host_sim/cli/terminal.hpp"
 #include "host_sim/engine/turntable.hpp"
 #include "host_sim/screen/lasting_screen.hpp"
+#include "host_sim/screen/panel_by_name.hpp"
 
 namespace shade16::host {
 
@@ -50,23 +53,14 @@ private:
     std::unique_ptr<Turntable> turntable_;
 };
 
-double seconds(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
-
-std::string figures_text(const ScreenFigures& f, Clock::duration time, std::size_t lost) {
-    const double all = std::max(seconds(time), 1e-9);
-    std::string text = fmt::format("shown: {} frames in {:.1f} s, {:.1f} a second; {} bytes of pixels a frame; sending took {:.0f} % of the time\n", f.frames, all,
-                                   static_cast<double>(f.frames) / all, f.frames == 0 ? 0 : f.bytes / f.frames, 100 * seconds(f.sending) / all);
-    if (lost != 0) text += fmt::format("lost: {} frames, while the device was away\n", lost);
-    return text;
-}
-
 /// Frame after frame until enough are shown or somebody stops it.
 class Show {
 public:
     explicit Show(const ShowOptions& o) : o_(o), screen_([&o] { return open_screen(o.screen); }) {
         refit();
         print_warnings(film_->warnings());
-        frames_ = o.screen.kind == ScreenKind::terminal && !is_terminal(STDOUT_FILENO) && o.scene.frames == 0 ? 1 : o.scene.frames;  // a file would never end
+        const bool is_file = o.screen.kind == ScreenKind::terminal && !is_terminal(STDOUT_FILENO);
+        frames_ = is_file && o.scene.frames == 0 ? 1 : o.scene.frames;  // a file would never end
     }
 
     /// The signal that ended it, or 0.
@@ -80,8 +74,10 @@ public:
             due = std::max(due + std::chrono::microseconds(1'000'000 / o_.fps), Clock::now());
             wait_until(due);
         }
-        if (Screen* const screen = screen_.screen(); screen != nullptr && o_.screen.off_at_end) screen->switch_off();
-        if (!o_.quiet) print_beside(o_.screen.takes_stdout() ? "-" : "", figures_text(screen_.figures(), Clock::now() - begin, screen_.lost()));
+        if (Screen* const screen = screen_.screen(); screen != nullptr && o_.screen.wires.is_dark_at_end) screen->switch_off();
+        screen_.close();
+        const std::string figures = figures_text(screen_.figures(), Clock::now() - begin, screen_.lost());
+        if (!o_.quiet) print_beside(o_.screen.takes_stdout() ? "-" : "", figures);
         return stop_.asked();
     }
 
@@ -93,6 +89,7 @@ private:
     void show(const Image& frame) {
         const bool was_away = screen_.screen() == nullptr;
         if (screen_.show(frame)) {
+            live_.tell(screen_.figures());
             if (was_away && !o_.quiet) print_beside("-", "the device is back\n");
             return;
         }
@@ -115,6 +112,7 @@ private:
     linux_spi::StopOnSignal stop_{};
     LastingScreen screen_;
     std::optional<Film> film_{};
+    LiveFigures live_{!o_.quiet && !o_.screen.takes_stdout()};
     int frames_ = 0;  // 0: until somebody ends it
     bool has_quit_ = false;
 };

@@ -12,10 +12,9 @@ class TerminalScreen final : public Screen {
 public:
     Viewport size() const override { return pixels_of_terminal(); }
     const char* format() const override { return nullptr; }
-
-private:
     std::size_t send(const Image& frame) override;
 
+private:
     std::optional<TerminalHeld> held_{};  // from the first frame on
     int shown_width_ = 0, shown_height_ = 0;
 };

@@ -18,8 +18,9 @@ public:
     Viewport size() const override { return size_; }
     const char* format() const override { return bytes_a_pixel_ == 2 ? Rgb565::name : Rgb888::name; }
 
-private:
     std::size_t send(const Image& frame) override;
+
+private:
     void ask_for_layout();
     void write(const std::vector<uint8_t>& row, long at);
 

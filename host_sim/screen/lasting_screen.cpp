@@ -19,9 +19,13 @@ bool LastingScreen::show(const Image& frame) {
     return false;
 }
 
-void LastingScreen::lose(const std::string& reason) {
+void LastingScreen::close() {
     sum_ = figures();
     screen_.reset();
+}
+
+void LastingScreen::lose(const std::string& reason) {
+    close();
     ++lost_;
     reason_ = reason;
 }

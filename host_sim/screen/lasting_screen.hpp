@@ -20,6 +20,9 @@ public:
     /// is sent whole. An error that is no going and no lack of return is thrown.
     bool show(const Image& frame);
 
+    /// Gives back all that it holds. Not to be shown on afterwards.
+    void close();
+
     /// nullptr while it is away.
     Screen* screen() const { return screen_.get(); }
     ScreenFigures figures() const { return screen_ ? sum_ + screen_->figures() : sum_; }

@@ -10,7 +10,7 @@ namespace shade16::host {
 
 /// What became of the frames so far.
 struct ScreenFigures {
-    std::size_t frames = 0, bytes = 0;  // bytes of pixels that were sent
+    std::size_t frames = 0, bytes = 0;  // of pixels, or of text, that were sent
     std::chrono::steady_clock::duration sending{};
 
     friend ScreenFigures operator+(const ScreenFigures& a, const ScreenFigures& b) {
@@ -40,9 +40,10 @@ public:
     /// Dark, where that is in its power.
     virtual void switch_off() {}
 
-private:
-    /// The number of bytes of pixels that it took.
+    /// The number of bytes that it took. For `show`, which counts.
     virtual std::size_t send(const Image& frame) = 0;
+
+private:
     ScreenFigures figures_{};
 };
 

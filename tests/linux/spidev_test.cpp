@@ -19,6 +19,7 @@ class Model final : public linux_spi::SystemCalls {
 public:
     std::size_t buffer = 4096, told = 4096;
     int open_error = 0, mode_error = 0;
+    uint8_t mode = 0;  // as the driver has it
     std::vector<uint8_t> sent{};
     std::vector<std::size_t> messages{};
     std::vector<uint32_t> clocks{};
@@ -35,6 +36,8 @@ public:
         --open_files;
     }
     int ioctl(int, unsigned long request, void* argument) override {
+        if (request == SPI_IOC_RD_MODE) return *static_cast<uint8_t*>(argument) = mode, 0;
+        if (request == SPI_IOC_WR_MODE && mode_error == 0) mode = *static_cast<uint8_t*>(argument);
         if (request == SPI_IOC_WR_MODE) return -mode_error;
         if (request != SPI_IOC_MESSAGE(1)) return 0;
         const auto& message = *static_cast<spi_ioc_transfer*>(argument);
@@ -50,6 +53,7 @@ public:
         return static_cast<int>(count);
     }
     long write_at(int, const void*, std::size_t, long) override { return -EBADF; }
+    void sleep_ms(uint32_t) override {}
     std::optional<std::string> text_of(const std::string& path) override {
         EXPECT_EQ(path, "/sys/module/spidev/parameters/bufsiz");
         if (told == 0) return std::nullopt;
@@ -133,18 +137,29 @@ TEST(Spidev, BeginsSlowly) {
     EXPECT_EQ(model.clocks, (std::vector<uint32_t>{4'000'000, 32'000'000}));
 }
 
+TEST(Spidev, ChangesTheModeOnlyWhereItMustAndLeavesItsOtherBits) {
+    Model model;
+    model.mode = SPI_CS_HIGH, model.mode_error = EINVAL;  // a driver that takes no change
+    EXPECT_EQ(sentence_of([&] { Spidev spi(model, {.mode = 0}); }), "");
+    EXPECT_EQ(sentence_of([&] { Spidev spi(model, {.mode = 3}); }), "/dev/spidev0.0: does not take its mode: Invalid argument.");
+    model.mode_error = 0;
+    const Spidev spi(model, {.mode = 3});
+    EXPECT_EQ(model.mode, SPI_CS_HIGH | SPI_MODE_3);
+}
+
 TEST(Spidev, SaysWhatMendsIt) {
     Model model;
     model.open_error = ENOENT;
     EXPECT_EQ(sentence_of([&] { Spidev spi(model, {}); }),
-              "/dev/spidev0.0: there is no such device; expected SPI to be on: 'dtparam=spi=on' in /boot/firmware/config.txt on a Raspberry Pi, and a restart.");
+              "/dev/spidev0.0: there is no such device; on a Raspberry Pi, 'echo dtparam=spi=on | sudo tee -a /boot/firmware/config.txt' and a restart bring it.");
+    EXPECT_EQ(sentence_of([&] { Spidev spi(model, {.device = "/dev/spidev1.2"}); }),
+              "/dev/spidev1.2: there is no such device; on a Raspberry Pi, 'echo dtoverlay=spi1-3cs | sudo tee -a /boot/firmware/config.txt' and a restart bring it.");
     model.open_error = EACCES;
-    EXPECT_EQ(sentence_of([&] { Spidev spi(model, {}); }),
-              "/dev/spidev0.0: you have no right to use it; expected you in its group: 'sudo adduser $USER spi', then log in again.");
+    EXPECT_EQ(sentence_of([&] { Spidev spi(model, {.device = "/dev/spidev8.0"}); }),  // permission_denied knows the group of one that exists
+              "SPI: /dev/spidev8.0 is open to root alone; 'sudo chgrp spi /dev/spidev8.0' and 'sudo chmod g+rw /dev/spidev8.0' (or a udev rule that does so at "
+              "every start), 'sudo adduser $USER spi' and a new login mend it.");
     model.open_error = EBUSY;
     EXPECT_EQ(sentence_of([&] { Spidev spi(model, {}); }), "/dev/spidev0.0: cannot be opened: Device or resource busy.");
-    model.open_error = 0, model.mode_error = EINVAL;
-    EXPECT_EQ(sentence_of([&] { Spidev spi(model, {.mode = 3}); }), "/dev/spidev0.0: does not take its mode: Invalid argument.");
     EXPECT_EQ(model.open_files, 0);
 }
 
