@@ -84,6 +84,8 @@ endforeach()
 # What shows frames on this computer, against models of what lies behind the kernel.
 if(TARGET screens)
   target_link_libraries(displays_tests PRIVATE screens)
+  target_sources(system_tests PRIVATE displays/dcs_model.cpp)
+  target_include_directories(system_tests PRIVATE ${PROJECT_SOURCE_DIR}/firmware)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/screen/*_test.cpp)
   shade16_add_test(screen_tests unit ${sources} displays/dcs_model.cpp)
   target_link_libraries(screen_tests PRIVATE screens)
