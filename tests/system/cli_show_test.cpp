@@ -3,7 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <fstream>
 #include <numeric>
+#include <regex>
 #include <sstream>
 
 #include "tests/displays/model_bus.hpp"
@@ -80,6 +82,31 @@ TEST(CliShow, a_panel_of_a_file_is_the_panel_of_its_name) {
         EXPECT_EQ(file.exit_code, 0) << file.err;
         EXPECT_EQ(file.out, show(dry + name).out) << name;
     }
+}
+
+/// Where a page shows `shade16 show`, with its scene and panel in place of the page's, and printed where it would need a device.
+std::string runnable(const std::string& shown) {
+    std::string command = std::regex_replace(shown, std::regex(R"(\S+\.(obj|toml))"), teapot());
+    command = std::regex_replace(command, std::regex(R"(\S+\.txt)"), (source_directory() / "boards/panels/gc9a01.txt").string());
+    const bool needs_panel = command.find("--board") == std::string::npos && command.find(teapot()) != std::string::npos;
+    return command + (needs_panel ? " --frames 1 --dry-run" : "");
+}
+
+TEST(CliShow, the_commands_of_the_pages_are_understood) {
+    int commands = 0;
+    for (const char* page : {"README.md", "docs/linux.md", "docs/panels.md"}) {
+        std::ifstream lines(source_directory() / page);
+        for (std::string line; std::getline(lines, line);) {
+            const std::size_t at = line.find("shade16 show ");
+            if (at == std::string::npos || !line.starts_with("    ")) continue;
+            const std::string command = runnable(line.substr(at + 13, line.find("   ", at) - at - 13));
+            const Ran ran = show(command);
+            const bool misses_a_device = command.find("--probe") != std::string::npos || command.find("fbdev") != std::string::npos;
+            EXPECT_TRUE(ran.exit_code == 0 || (misses_a_device && ran.exit_code != 2)) << page << ": " << line << "\n" << ran.err;
+            ++commands;
+        }
+    }
+    EXPECT_GT(commands, 10);
 }
 
 TEST(CliShow, lists_panels) {
