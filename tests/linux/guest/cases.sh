@@ -25,3 +25,4 @@ echo "== SIGKILL in mid-frame"; start drawing draw "$simulated"; kill -KILL $!; 
 echo "== the chip is unplugged in mid-frame"; start drawing draw "$simulated"; echo 0 >$live; ended "$whichever"; ls /dev/gpiochip*; run try GPIO25
 # The chips' new numbers are the kernel's affair: 6.1 gives none again whose lines were held when it went.
 echo "== plugged in again"; echo 1 >$live; ls /dev/gpiochip* | wc -l; run try GPIO25
+echo "== end"

@@ -15,4 +15,3 @@ echo "== SIGTERM in mid-frame over spidev"; start drawing draw_on_spidev $device
 echo "== the display is taken from spidev in mid-frame"
 start drawing draw_on_spidev $device; echo spi0.0 >$driver/unbind; ended; run try_spidev $device 0
 echo "== given back"; echo spi0.0 >$driver/bind; run show_on_spidev $device mode_0
-echo "== the board goes"; rmmod wired_panel; rmmod wire_recorder; run try_spidev $device 0

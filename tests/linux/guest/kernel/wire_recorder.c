@@ -7,13 +7,15 @@
 #include <linux/miscdevice.h>
 #include <linux/module.h>
 #include <linux/spinlock.h>
+#include <linux/vmalloc.h>
 
 #include "wire_record.h"
 
-enum { most_changes = 1 << 20 };  // between two reads: about two frames of a small panel
+enum { most_bytes = 8 << 20 };  // between two reads: a million changes, about two frames of a small panel
 
 static DEFINE_SPINLOCK(lock);  // of all that follows, but for the end of the queue that is read
 static DECLARE_KFIFO_PTR(changes, struct wire_change);
+static void *memory;  // of the queue: more than kfifo_alloc would give
 static u32 levels;
 static bool is_open, lost_some;
 
@@ -111,24 +113,30 @@ static ssize_t take(struct file *file, char __user *to, size_t bytes, loff_t *at
 static const struct file_operations operations = {.owner = THIS_MODULE, .open = begin, .release = end, .read = take};
 static struct miscdevice device = {.minor = MISC_DYNAMIC_MINOR, .name = "wire_recorder", .fops = &operations};
 
-static int __init load(void)
+static int register_all(void)
 {
-    int error = kfifo_alloc(&changes, most_changes, GFP_KERNEL);
+    int error = gpiochip_add_data(&chip, NULL);
 
     if (error)
         return error;
-    error = gpiochip_add_data(&chip, NULL);
-    if (error)
-        goto free_changes;
     error = misc_register(&device);
     if (error)
-        goto remove_chip;
-    return 0;
+        gpiochip_remove(&chip);
+    return error;
+}
 
-remove_chip:
-    gpiochip_remove(&chip);
-free_changes:
-    kfifo_free(&changes);
+static int __init load(void)
+{
+    int error;
+
+    memory = vmalloc(most_bytes);
+    if (!memory)
+        return -ENOMEM;
+    error = kfifo_init(&changes, memory, most_bytes);
+    if (!error)
+        error = register_all();
+    if (error)
+        vfree(memory);
     return error;
 }
 
@@ -136,7 +144,7 @@ static void __exit unload(void)
 {
     misc_deregister(&device);
     gpiochip_remove(&chip);
-    kfifo_free(&changes);
+    vfree(memory);
 }
 
 module_init(load);
