@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <type_traits>
 
 #include "boards/linux_spi/stop_on_signal.hpp"
 #include "tests/displays/turned.hpp"

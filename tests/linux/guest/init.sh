@@ -7,9 +7,8 @@ mount -t debugfs debug /sys/kernel/debug
 echo 1 >/proc/sys/kernel/printk
 echo  # after whatever the firmware left on the line
 
-# What spidev is told beside the kernel's command line, should it be a module. The display has no driver of its own, so spidev is told to
-# take it, as the kernel's Documentation/spi/spidev.rst says.
-[ ! -e /mod/spidev.ko ] || insmod /mod/spidev.ko $(grep -o 'bufsiz=[0-9]*' /proc/cmdline)
+# The display has no driver of its own, so spidev is told to take it, as the kernel's Documentation/spi/spidev.rst says.
+[ ! -e /mod/spidev.ko ] || insmod /mod/spidev.ko $(grep -o 'bufsiz=[0-9]*' /proc/cmdline)  # built in, it reads that itself
 for module in spi-bitbang spi-gpio wire_recorder wired_panel; do insmod /mod/$module.ko; done
 echo spidev >/sys/bus/spi/devices/spi0.0/driver_override; echo spi0.0 >/sys/bus/spi/drivers/spidev/bind
 sh /spidev_cases.sh 2>&1 | sed 's/^/> /'

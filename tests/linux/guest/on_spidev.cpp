@@ -23,7 +23,7 @@ private:
 uint8_t mode_of(const std::string& how) {
     if (how == "mode_0" || how == "untold") return 0;
     if (how == "mode_3") return 3;
-    throw host::input_error("show_on_spidev: '{}'; expected {}.", how, show_on_spidev_words);
+    throw host::input_error("show_on_spidev: '{}'; expected mode_0, mode_3 or untold.", how);
 }
 
 }  // namespace
@@ -32,10 +32,10 @@ int show_on_spidev(const std::string& device, const std::string& how) {
     const SpidevSettings settings{.device = device, .mode = mode_of(how)};
     WithoutFiles without_files;
     SystemCalls& system = how == "untold" ? without_files : system_calls();
-    std::printf("messages of at most %zu bytes are meant to fit\n", Spidev(system, settings).message_bytes());
+    std::printf("messages of at most %zu bytes are expected to fit\n", Spidev(system, settings).message_bytes());
     RecordedPanel panel;
     const int code = show_once(panel, [&] { return PanelOnSpidev(panel, system, settings); });
-    std::printf("the longest message: %ld bytes\n", panel.most_bytes_at_once());
+    std::printf("the longest message: %ld bytes, the clock rests: %s\n", panel.most_bytes_at_once(), panel.clock_rests_high() ? "high" : "low");
     std::printf("select or data/command changed in a byte: %s\n", panel.was_interrupted() ? "yes" : "no");
     return code;
 }

@@ -5,8 +5,6 @@
 
 namespace shade16::linux_spi {
 
-inline constexpr const char* show_on_spidev_words = "mode_0, mode_3 or untold";
-
 /// Shows the torus once. `how`: mode_0, mode_3, or untold: in mode 0 as where /sys does not tell how large spidev's buffer is.
 int show_on_spidev(const std::string& device, const std::string& how);
 /// Draws until it is stopped, by a signal or a failure.

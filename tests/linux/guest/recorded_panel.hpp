@@ -70,6 +70,8 @@ public:
     }
     /// The most bytes that came while the display was selected without a pause: those of a message.
     long most_bytes_at_once() const { return most_bits_at_once_ / 8; }
+    /// Where the clock was when the display was last selected or left: what tells SPI's modes 0 and 3 apart.
+    bool clock_rests_high() const { return clock_rests_high_; }
     /// Whether the display was ever selected or left in the middle of a byte, or its data/command line changed there.
     bool was_interrupted() const { return was_interrupted_; }
 
@@ -82,7 +84,7 @@ private:
         if ((changed(wire_select) || changed(wire_command)) && reader_.in_a_byte()) was_interrupted_ = true;
         if (changed(wire_reset)) reader_.reset(high(wire_reset));
         if (changed(wire_light)) light_.look(high(wire_light));
-        if (changed(wire_select)) bits_at_once_ = 0;
+        if (changed(wire_select)) bits_at_once_ = 0, clock_rests_high_ = high(wire_clock);
         if (changed(wire_clock) && high(wire_clock) && !high(wire_select)) look_at_bit(high(wire_command), high(wire_data));
     }
     void look_at_bit(bool is_data, bool bit) {
@@ -96,7 +98,7 @@ private:
     WireReader reader_{model_, [this] { return before_.at_us / 1000; }};
     LightLog light_{};
     wire_change before_{};
-    bool was_interrupted_ = false;
+    bool was_interrupted_ = false, clock_rests_high_ = false;
     long bits_ = 0, bits_at_once_ = 0, most_bits_at_once_ = 0;
 };
 
