@@ -68,27 +68,33 @@ build() {
   cp "$1"/*.ko "$keep/"
 }
 
-# A module of Debian's, as insmod takes it; nothing where the kernel has it built in.
+# A module of Debian's, as insmod takes it.
 keep_module() {
   local file
   file=$(find "$work/root/lib" -name "$1.ko*")
   case $file in
     *.xz) xz -dc "$file" >"$keep/$1.ko" ;;
     *.ko) cp "$file" "$keep/$1.ko" ;;
+    *) echo "Debian's kernel $version has no $1.ko." >&2; return 1 ;;
   esac
 }
 
 keep_debian() {
-  rm -rf "$keep"/{version,own,headers,*.ko}
-  mkdir -p "$work/debs" "$keep/headers"
+  local deb
+  mkdir "$work/debs"
   cd "$work/debs"
   fetch || { update_lists && fetch; } || return 1  # the archive keeps only the newest kernels
-  mv linux-headers-*.deb linux-kbuild-*.deb "$keep/headers/"
-  if compgen -G 'linux-compiler-*.deb' >/dev/null; then mv linux-compiler-*.deb "$keep/headers/"; fi
-  dpkg-deb --fsys-tarfile "$image"_*.deb | tar -x -C "$work/root" --wildcards './boot/vmlinuz-*' '*/fs/configfs/configfs.ko*' '*/drivers/spi/spi*.ko*'
+  rm -rf "$keep"/{version,own,headers,*.ko}
+  mkdir "$keep/headers"
+  for deb in linux-{headers,kbuild,compiler}-*.deb; do
+    [[ ! -e $deb ]] || mv "$deb" "$keep/headers/"
+  done
+  dpkg-deb --fsys-tarfile "$image"_*.deb |
+    tar -x -C "$work/root" --wildcards './boot/vmlinuz-*' '*/fs/configfs/configfs.ko*' '*/drivers/spi/spi*.ko*'
   cp "$work/root/boot/vmlinuz-$version" "$keep/vmlinuz"
-  local module
-  for module in configfs spi-bitbang spidev; do keep_module $module; done
+  keep_module configfs
+  keep_module spi-bitbang
+  keep_module spidev 2>/dev/null || true  # Debian 12 has it built in
   unpack_headers
   build_drivers
   echo "$version" >"$keep/version"
@@ -98,8 +104,9 @@ keep_debian() {
 build_drivers() {
   local drivers=$work/drivers
   mkdir "$drivers"
-  dpkg-deb --fsys-tarfile "$source_tree"_*.deb | tar -xO "./usr/src/$source_tree.tar.xz" | tar -xJ -C "$drivers" --transform 's|.*/||' \
-    "$source_tree"/{drivers/gpio/gpio-sim.c,drivers/gpio/gpiolib.h,kernel/irq/irq_sim.c,drivers/spi/spi-gpio.c,drivers/spi/spi-bitbang-txrx.h}
+  dpkg-deb --fsys-tarfile "$source_tree"_*.deb | tar -xO "./usr/src/$source_tree.tar.xz" |
+    tar -xJ -C "$drivers" --transform 's|.*/||' "$source_tree"/drivers/{gpio/gpio-sim.c,gpio/gpiolib.h,spi/spi-gpio.c,spi/spi-bitbang-txrx.h} \
+      "$source_tree/kernel/irq/irq_sim.c"
   mv "$drivers/gpio-sim.c" "$drivers/gpio-sim-main.c"
   sed -i 's/handle_simple_irq(irq_to_desc(\(.*\)));/generic_handle_irq_safe(\1);/' "$drivers/irq_sim.c"
   printf 'obj-m := gpio-sim.o spi-gpio.o\ngpio-sim-y := gpio-sim-main.o irq_sim.o\nccflags-y := -I$(src)\n' >"$drivers/Makefile"

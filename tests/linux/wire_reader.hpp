@@ -11,14 +11,15 @@ namespace shade16::linux_spi {
 
 /// Milliseconds since now, by this computer's clock.
 inline std::function<uint32_t()> stopwatch() {
-    using Clock = std::chrono::steady_clock;
-    return [begin = Clock::now()] { return static_cast<uint32_t>(std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - begin).count()); };
+    using namespace std::chrono;
+    return [begin = steady_clock::now()] { return static_cast<uint32_t>(duration_cast<milliseconds>(steady_clock::now() - begin).count()); };
 }
 
 /// The model's time is this computer's or the record's of what is read, so that pauses that are too short show.
 class WireReader {
 public:
-    explicit WireReader(displays::DcsModel& model, std::function<uint32_t()> now_ms = stopwatch()) : model_(model), now_ms_(std::move(now_ms)) {}
+    explicit WireReader(displays::DcsModel& model, std::function<uint32_t()> now_ms = stopwatch())
+        : model_(model), now_ms_(std::move(now_ms)) {}
 
     void reset(bool high) {
         pass_time();

@@ -16,7 +16,8 @@ namespace {
 constexpr const char* usage =
     "usage: guest show CHIP | draw CHIP | try LINE | low CHIP | hold LINE CONSUMER | used | as UID COMMAND... | in_the_foreground COMMAND...\n"
     "       guest show_on_spidev DEVICE HOW | draw_on_spidev DEVICE | try_spidev DEVICE MODE\n"
-    "CHIP is the simulator's folder of a chip, /sys/devices/platform/gpio-sim.0/gpiochip0. DEVICE is /dev/spidev0.0. HOW is mode_0, mode_3 or untold.";
+    "CHIP is the simulator's folder of a chip, /sys/devices/platform/gpio-sim.0/gpiochip0. DEVICE is /dev/spidev0.0.\n"
+    "HOW is mode_0, mode_3 or untold.";
 
 int show(const std::string& chip) {
     SimulatedPanel panel(chip);

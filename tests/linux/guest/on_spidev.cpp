@@ -35,7 +35,8 @@ int show_on_spidev(const std::string& device, const std::string& how) {
     std::printf("messages of at most %zu bytes are expected to fit\n", Spidev(system, settings).message_bytes());
     RecordedPanel panel;
     const int code = show_once(panel, [&] { return PanelOnSpidev(panel, system, settings); });
-    std::printf("the longest message: %ld bytes, the clock rests: %s\n", panel.most_bytes_at_once(), panel.clock_rests_high() ? "high" : "low");
+    std::printf("the longest message: %ld bytes", panel.most_bytes_at_once());
+    std::printf(", the clock rests: %s\n", panel.clock_rests_high() ? "high" : "low");
     std::printf("select or data/command changed in a byte: %s\n", panel.was_interrupted() ? "yes" : "no");
     return code;
 }

@@ -24,7 +24,7 @@ namespace shade16::linux_spi {
 class WireRecord {
 public:
     WireRecord() : file_(open(path, O_RDONLY | O_CLOEXEC)) {
-        if (file_ < 0) throw host::io_error("{} cannot be opened: {}; expected the kernel module wire_recorder.", path, std::strerror(errno));
+        if (file_ < 0) throw host::io_error("{} cannot be opened: {}; expected the module wire_recorder.", path, std::strerror(errno));
     }
     ~WireRecord() { close(file_); }
     WireRecord(const WireRecord&) = delete;
@@ -36,7 +36,7 @@ public:
         std::array<wire_change, 4096> changes;
         for (;;) {
             const ssize_t bytes = read(file_, changes.data(), sizeof(changes));
-            if (bytes < 0) throw host::io_error("{} cannot be read: {}; expected it to be read before it is full.", path, std::strerror(errno));
+            if (bytes < 0) throw host::io_error("{} cannot be read: {}; expected that before it is full.", path, std::strerror(errno));
             if (bytes == 0) return;
             std::for_each_n(changes.begin(), static_cast<size_t>(bytes) / sizeof(wire_change), look);
         }
@@ -110,7 +110,10 @@ public:
         using Pixel = Bus::Format;
         RecordedPanel& seen;
         DcsDisplay<Bus, guest_panel, guest_orientation> display;
-        void flush(Area area, const Pixel::Pixel* pixels, size_t bytes, bool last) { display.flush(area, pixels, bytes, last), seen.catch_up(); }
+        void flush(Area area, const Pixel::Pixel* pixels, size_t bytes, bool last) {
+            display.flush(area, pixels, bytes, last);
+            seen.catch_up();
+        }
         void wait() {}
     };
 
