@@ -105,8 +105,8 @@ build_drivers() {
   local drivers=$work/drivers
   mkdir "$drivers"
   dpkg-deb --fsys-tarfile "$source_tree"_*.deb | tar -xO "./usr/src/$source_tree.tar.xz" |
-    tar -xJ -C "$drivers" --transform 's|.*/||' "$source_tree"/drivers/{gpio/gpio-sim.c,gpio/gpiolib.h,spi/spi-gpio.c,spi/spi-bitbang-txrx.h} \
-      "$source_tree/kernel/irq/irq_sim.c"
+    tar -xJ -C "$drivers" --transform 's|.*/||' "$source_tree"/kernel/irq/irq_sim.c \
+      "$source_tree"/drivers/{gpio/gpio-sim.c,gpio/gpiolib.h,spi/spi-gpio.c,spi/spi-bitbang-txrx.h}
   mv "$drivers/gpio-sim.c" "$drivers/gpio-sim-main.c"
   sed -i 's/handle_simple_irq(irq_to_desc(\(.*\)));/generic_handle_irq_safe(\1);/' "$drivers/irq_sim.c"
   printf 'obj-m := gpio-sim.o spi-gpio.o\ngpio-sim-y := gpio-sim-main.o irq_sim.o\nccflags-y := -I$(src)\n' >"$drivers/Makefile"

@@ -12,7 +12,8 @@ namespace shade16::linux_spi {
 /// Milliseconds since now, by this computer's clock.
 inline std::function<uint32_t()> stopwatch() {
     using namespace std::chrono;
-    return [begin = steady_clock::now()] { return static_cast<uint32_t>(duration_cast<milliseconds>(steady_clock::now() - begin).count()); };
+    const auto begin = steady_clock::now();
+    return [begin] { return static_cast<uint32_t>(duration_cast<milliseconds>(steady_clock::now() - begin).count()); };
 }
 
 /// The model's time is this computer's or the record's of what is read, so that pauses that are too short show.
