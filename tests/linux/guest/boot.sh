@@ -12,14 +12,14 @@ cp "$(command -v busybox)" "$root/bin/busybox"
 "$root/bin/busybox" --list | grep -vx busybox | while read -r name; do ln -s busybox "$root/bin/$name"; done
 cp "$program" "$root/bin/guest"
 strip "$root/bin/guest"
-cp "$kernel"/{configfs,gpio-sim}.ko "$root/mod/"
-printf 'root:x:0:\ngpio:x:997:\n' >"$root/etc/group"
-cp "$here/cases.sh" "$root/cases.sh"
+cp "$kernel"/*.ko "$root/mod/"
+printf 'root:x:0:\nspi:x:996:\ngpio:x:997:\n' >"$root/etc/group"
+cp "$here"/{asking,cases,spidev_cases}.sh "$root/"
 cp "$here/init.sh" "$root/init"
 chmod +x "$root/init"
 (cd "$root" && find . | cpio --quiet -o -H newc | gzip -1) >"$work/initrd.gz"
 
 timeout 170 qemu-system-x86_64 -machine pc -accel tcg -cpu qemu64 -m 256 -nographic -no-reboot -nodefaults -serial stdio \
-  -kernel "$kernel/vmlinuz" -initrd "$work/initrd.gz" -append "console=ttyS0 quiet panic=-1 tsc=reliable" \
+  -kernel "$kernel/vmlinuz" -initrd "$work/initrd.gz" -append "console=ttyS0 quiet panic=-1 tsc=reliable spidev.bufsiz=1024" \
   </dev/null >"$work/serial.log"
 tr -d '\r' <"$work/serial.log" | sed -n 's/^> //p'
