@@ -14,6 +14,7 @@ public:
     void close(int file) override { kernel_.close(file); }
     int ioctl(int file, unsigned long request, void* argument) override { return kernel_.ioctl(file, request, argument); }
     long write_at(int file, const void* bytes, std::size_t count, long at) override { return kernel_.write_at(file, bytes, count, at); }
+    void sleep_ms(uint32_t ms) override { kernel_.sleep_ms(ms); }
     std::optional<std::string> text_of(const std::string&) override { return std::nullopt; }
 
 private:
