@@ -12,6 +12,7 @@ echo  # after whatever the firmware left on the line
 for module in spi-bitbang spi-gpio wire_recorder wired_panel; do insmod /mod/$module.ko; done
 echo spidev >/sys/bus/spi/devices/spi0.0/driver_override; echo spi0.0 >/sys/bus/spi/drivers/spidev/bind
 sh /spidev_cases.sh 2>&1 | sed 's/^/> /'
+sh /show_cases.sh 2>&1 | sed 's/^/> /'
 for module in wired_panel wire_recorder; do rmmod $module; done
 
 insmod /mod/configfs.ko; mount -t configfs none /config; insmod /mod/gpio-sim.ko

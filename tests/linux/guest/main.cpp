@@ -9,13 +9,14 @@
 #include "tests/linux/guest/drawing.hpp"
 #include "tests/linux/guest/on_spidev.hpp"
 #include "tests/linux/guest/simulated_panel.hpp"
+#include "tests/linux/guest/watched.hpp"
 
 namespace shade16::linux_spi {
 namespace {
 
 constexpr const char* usage =
     "usage: guest show CHIP | draw CHIP | try LINE | low CHIP | hold LINE CONSUMER | used | as UID COMMAND... | in_the_foreground COMMAND...\n"
-    "       guest show_on_spidev DEVICE HOW | draw_on_spidev DEVICE | try_spidev DEVICE MODE\n"
+    "       guest show_on_spidev DEVICE HOW | draw_on_spidev DEVICE | try_spidev DEVICE MODE | watch PROGRAM... | become PROGRAM...\n"
     "CHIP is the simulator's folder of a chip, /sys/devices/platform/gpio-sim.0/gpiochip0. DEVICE is /dev/spidev0.0.\n"
     "HOW is mode_0, mode_3 or untold.";
 
@@ -74,6 +75,8 @@ int run(const std::vector<std::string>& words) {
     if (command == "show_on_spidev" && words.size() == 3) return show_on_spidev(words[1], words[2]);
     if (command == "draw_on_spidev" && words.size() == 2) return draw_on_spidev(words[1]);
     if (command == "try_spidev" && words.size() == 3) return try_spidev(words[1], static_cast<unsigned>(std::atoi(words[2].c_str())));
+    if (command == "watch" && words.size() > 1) return watch({words.begin() + 1, words.end()});
+    if (command == "become" && words.size() > 1) return become({words.begin() + 1, words.end()});
     if (command == "try" && words.size() == 2) return try_line(words[1]);
     if (command == "low" && words.size() == 2) return low(words[1]);
     if (command == "hold" && words.size() == 3) return hold(words[1], words[2]);
