@@ -13,6 +13,7 @@
 #include "host_sim/cli/preview.hpp"
 #include "host_sim/cli/render.hpp"
 #include "host_sim/cli/report.hpp"
+#include "host_sim/cli/show.hpp"
 #include "host_sim/cli/signals.hpp"
 #include "host_sim/io/atomic_file.hpp"
 
@@ -29,6 +30,7 @@ struct Run {
     ExitCode operator()(const BakeOptions& options) const { return bake(options); }
     ExitCode operator()(const InfoOptions& options) const { return info(options); }
     ExitCode operator()(const PreviewOptions& options) const { return preview(options); }
+    ExitCode operator()(const ShowOptions& options) const { return show(options); }
     ExitCode operator()(const MaterialsOptions& options) const { return materials(options); }
     ExitCode operator()(const GalleryOptions& options) const { return gallery(options); }
     ExitCode operator()(const ReportOptions& options) const { return report(options); }

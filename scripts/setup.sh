@@ -5,14 +5,14 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 packages=(cmake ninja-build g++ libglm-dev libcli11-dev libfmt-dev nlohmann-json3-dev
-  libtinyobjloader-dev libmeshoptimizer-dev libpng-dev libtomlplusplus-dev zlib1g-dev)
+  libtinyobjloader-dev libmeshoptimizer-dev libpng-dev libtomlplusplus-dev zlib1g-dev libgpiod-dev)
 if [[ ${1:-} != --demo ]]; then
   packages+=(
     clang libclang-rt-dev lld libgtest-dev libgmock-dev librapidcheck-dev ffmpeg assimp-testmodels
     gcc-arm-none-eabi binutils-arm-none-eabi libnewlib-arm-none-eabi
     gcc-riscv64-unknown-elf binutils-riscv64-unknown-elf qemu-system-arm qemu-system-misc python3 gappa
     gcc-avr simavr gcc-xtensa-lx106 binutils-xtensa-lx106 rustc
-    libgpiod-dev qemu-system-x86 busybox-static cpio make gcc kmod libelf1 xz-utils
+    qemu-system-x86 busybox-static cpio make gcc kmod libelf1 xz-utils
   )
   command -v node >/dev/null || packages+=(nodejs)  # of whatever origin
   command -v npm >/dev/null || packages+=(npm)

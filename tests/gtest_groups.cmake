@@ -80,8 +80,15 @@ foreach(group IN ITEMS accuracy system extremes displays stm32f4_ili9341 hifive1
     target_link_libraries(${group}_tests PRIVATE host_sim_library)
   endif()
 endforeach()
-if(TARGET panel_files)
-  target_link_libraries(displays_tests PRIVATE panel_files)
+
+# What shows frames on this computer, against models of what lies behind the kernel.
+if(TARGET screens)
+  target_link_libraries(displays_tests PRIVATE screens)
+  target_sources(system_tests PRIVATE displays/dcs_model.cpp)
+  target_include_directories(system_tests PRIVATE ${PROJECT_SOURCE_DIR}/firmware)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/screen/*_test.cpp)
+  shade16_add_test(screen_tests unit ${sources} displays/dcs_model.cpp)
+  target_link_libraries(screen_tests PRIVATE screens)
 endif()
 
 # Some run the program as its users do.

@@ -1,14 +1,13 @@
 // The bus of a display on this computer: what sends bytes, and the lines beside it. A DisplayBus of firmware/display/dcs.hpp.
 #pragma once
 
-#include <chrono>
 #include <optional>
 #include <shade16/shade16.hpp>
-#include <thread>
 #include <utility>
 
 #include "boards/linux_spi/byte_sender.hpp"
 #include "boards/linux_spi/output_line.hpp"
+#include "boards/linux_spi/system_calls.hpp"
 
 namespace shade16::linux_spi {
 
@@ -50,7 +49,7 @@ class LinuxBus {
 public:
     using Format = Rgb565Swapped;
 
-    LinuxBus(Spi& spi, PanelLines<Line>& lines) : spi_(&spi), lines_(&lines) {}
+    LinuxBus(Spi& spi, PanelLines<Line>& lines, SystemCalls& system = system_calls()) : spi_(&spi), lines_(&lines), system_(&system) {}
 
     void reset() {
         lines_->shine(false), shines_ = false;
@@ -67,11 +66,12 @@ public:
         if (!shines_) lines_->shine(true), shines_ = true;  // there is something to see
     }
     void wait() {}  // nothing is sent behind anybody's back
-    void delay_ms(uint32_t ms) { std::this_thread::sleep_for(std::chrono::milliseconds(ms)); }
+    void delay_ms(uint32_t ms) { system_->sleep_ms(ms); }
 
 private:
     Spi* spi_;
     PanelLines<Line>* lines_;
+    SystemCalls* system_;
     bool shines_ = false;
 };
 

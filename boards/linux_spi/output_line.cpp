@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <system_error>
 
+#include "boards/linux_spi/device_gone.hpp"
 #include "boards/linux_spi/find_line.hpp"
 #include "boards/linux_spi/permission.hpp"
 #include "host_sim/error.hpp"
@@ -26,8 +27,8 @@ host::Error busy(const std::string& wanted, const Place& place) {
                           holder.empty() ? "another program" : "'" + holder + "'");
 }
 
-host::Error gone(const std::string& wanted, const std::string& chip) {
-    return host::io_error("line '{}': its chip {} is gone; expected it to stay plugged in while the display is driven.", wanted, chip);
+DeviceGone gone(const std::string& wanted, const std::string& chip) {
+    return DeviceGone(host::io_error("line '{}': its chip {} is gone; expected it to stay plugged in while the display is driven.", wanted, chip));
 }
 
 host::Error refused(int number, const std::string& wanted, const Place& place) {

@@ -4,19 +4,30 @@ namespace shade16::linux_spi {
 
 namespace {
 
+constexpr int patience = 3;
+
 volatile std::sig_atomic_t asked_by = 0;
-extern "C" void note_signal(int number) { asked_by = number; }
+volatile std::sig_atomic_t times = 0;
+
+/// A second one may be the same one: `timeout` and some shells signal a program and its group.
+extern "C" void note_signal(int number) {
+    asked_by = number;
+    times = times + 1;
+    if (times < patience) return;
+    std::signal(number, SIG_DFL);
+    std::raise(number);
+}
 
 }  // namespace
 
 StopOnSignal::StopOnSignal() {
     asked_by = 0;
+    times = 0;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         sigaction(numbers[i], nullptr, &before_[i]);
         if (before_[i].sa_handler == SIG_IGN) continue;  // as nohup wants it
         struct sigaction action {};
         action.sa_handler = note_signal;
-        action.sa_flags = static_cast<int>(SA_RESETHAND);
         sigaction(numbers[i], &action, nullptr);
     }
 }

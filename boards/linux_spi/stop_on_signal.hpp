@@ -12,8 +12,8 @@ struct Stopped {
     const char* name() const;  // "SIGTERM"
 };
 
-/// From its constructor to its destructor SIGINT, SIGTERM and SIGHUP ask to stop; the same signal a second time ends the program at once.
-/// One at a time.
+/// From its constructor to its destructor SIGINT, SIGTERM and SIGHUP ask to stop; a third one ends the program at once. One object at a
+/// time.
 class StopOnSignal {
 public:
     StopOnSignal();

@@ -9,7 +9,8 @@
 namespace shade16 {
 
 namespace dcs {
-inline constexpr uint8_t reset = 0x01, sleep_out = 0x11, normal_mode = 0x13, not_inverted = 0x20, inverted = 0x21, display_on = 0x29;
+inline constexpr uint8_t no_operation = 0x00, reset = 0x01, sleep_out = 0x11, normal_mode = 0x13;
+inline constexpr uint8_t not_inverted = 0x20, inverted = 0x21, display_off = 0x28, display_on = 0x29;
 inline constexpr uint8_t columns = 0x2A, rows = 0x2B, write_memory = 0x2C, memory_access = 0x36, pixel_format = 0x3A;
 inline constexpr uint8_t rows_mirrored = 0x80, columns_mirrored = 0x40, exchanged = 0x20, blue_first = 0x08;  // of memory_access
 inline constexpr uint8_t sixteen_bits = 0x55;                                                                 // of pixel_format
@@ -76,6 +77,46 @@ concept DisplayBus = requires(B& bus, uint8_t byte, const uint8_t* bytes, const 
     bus.delay_ms(uint32_t{5});
 };
 
+namespace dcs {
+
+template <class Bus>
+constexpr void send(Bus& bus, uint8_t command, uint8_t parameter) {
+    bus.command(command);
+    bus.data(&parameter, 1);
+}
+
+/// From reset to a display that is on.
+template <DisplayBus Bus>
+constexpr void begin(Bus& bus, const DcsPanel& panel, Orientation o) {
+    bus.reset();
+    run_commands(bus, panel.beginning, panel.beginning_bytes);
+    send(bus, pixel_format, sixteen_bits);
+    send(bus, memory_access, access_of(panel, o));
+    bus.command(panel.inverted ? inverted : not_inverted);
+    bus.command(normal_mode);
+    bus.command(display_on);
+}
+
+/// The first and the last, the high byte before the low one.
+template <DisplayBus Bus>
+constexpr void send_range(Bus& bus, uint8_t command, int first, int count) {
+    const int last = first + count - 1;
+    const uint8_t ends[4] = {static_cast<uint8_t>(first >> 8), static_cast<uint8_t>(first), static_cast<uint8_t>(last >> 8),
+                             static_cast<uint8_t>(last)};
+    bus.command(command);
+    bus.data(ends, 4);
+}
+
+/// The pixels that follow are those of an area of the picture.
+template <DisplayBus Bus>
+constexpr void select(Bus& bus, Gap gap, Area area) {
+    send_range(bus, columns, area.x + gap.x, area.width);
+    send_range(bus, rows, area.y + gap.y, area.height);
+    bus.command(write_memory);
+}
+
+}  // namespace dcs
+
 /// A sink for a display of the Display Command Set.
 template <DisplayBus Bus, const DcsPanel& panel, Orientation orientation = Orientation{}>
 class DcsDisplay {
@@ -88,40 +129,16 @@ public:
     /// Eleven bytes of window before each band.
     static constexpr Wire wire(int bands) { return {static_cast<uint32_t>(8 * 11 * bands + 16 * width_px * height_px), Bus::bus_hz}; }
 
-    constexpr explicit DcsDisplay(Bus bus = {}) : bus_(bus) {
-        bus_.reset();
-        run_commands(bus_, panel.beginning, panel.beginning_bytes);
-        const uint8_t access = dcs::access_of(panel, orientation);
-        send(dcs::pixel_format, {dcs::sixteen_bits}, 1);
-        send(dcs::memory_access, {access}, 1);
-        bus_.command(panel.inverted ? dcs::inverted : dcs::not_inverted);
-        bus_.command(dcs::normal_mode);
-        bus_.command(dcs::display_on);
-    }
+    constexpr explicit DcsDisplay(Bus bus = {}) : bus_(bus) { dcs::begin(bus_, panel, orientation); }
 
     constexpr void flush(Area area, const typename Pixel::Pixel* pixels, size_t bytes, bool) {
         constexpr dcs::Gap gap = dcs::gap_of(panel, orientation);
-        window(dcs::columns, area.x + gap.x, area.width);
-        window(dcs::rows, area.y + gap.y, area.height);
-        bus_.command(dcs::write_memory);
+        dcs::select(bus_, gap, area);
         bus_.pixels(pixels, bytes / sizeof(*pixels));
     }
     constexpr void wait() { bus_.wait(); }
 
 private:
-    struct Parameters {
-        uint8_t bytes[4]{};
-    };
-
-    constexpr void send(uint8_t command, Parameters parameters, size_t count) {
-        bus_.command(command);
-        bus_.data(parameters.bytes, count);
-    }
-    /// The first and the last, the high byte before the low one.
-    constexpr void window(uint8_t command, int first, int count) {
-        const int last = first + count - 1;
-        send(command, {{static_cast<uint8_t>(first >> 8), static_cast<uint8_t>(first), static_cast<uint8_t>(last >> 8), static_cast<uint8_t>(last)}}, 4);
-    }
     Bus bus_;
 };
 

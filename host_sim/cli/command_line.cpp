@@ -24,6 +24,7 @@ public:
                                   : name == "bake"    ? bake_help
                                   : name == "info"    ? info_help
                                   : name == "preview" ? preview_help
+                                  : name == "show" ? show_help
                                   : name == "materials" ? materials_help
                                   : name == "gallery" ? gallery_help
                                   : name == "report" ? report_help
@@ -48,13 +49,15 @@ public:
         add_bake(*bake_, bake_options_);
         add_info(*info_, info_options_);
         add_preview(*preview_, preview_options_);
+        show_ = app_.add_subcommand("show", "show a model on a panel at this computer's SPI, its framebuffer or in the terminal");
+        add_show(*show_, show_options_);
         materials_ = app_.add_subcommand("materials", "the 24 classic materials, as a table or as a picture");
         gallery_ = app_.add_subcommand("gallery", "draw the pictures of docs/gallery.md; for whoever changes the engine");
         add_materials(*materials_, materials_options_);
         add_gallery(*gallery_, gallery_options_);
         report_ = app_.add_subcommand("report", "measure every bound that the engine promises: a page, JSON and a table");
         add_report(*report_, report_options_);
-        for (CLI::App* app : {&app_, render_, compare_, bake_, info_, preview_, materials_, gallery_, report_}) app->footer(exit_codes_help);
+        for (CLI::App* app : {&app_, render_, compare_, bake_, info_, preview_, show_, materials_, gallery_, report_}) app->footer(exit_codes_help);
     }
 
     Command parse(int argc, const char* const* argv) {
@@ -70,12 +73,14 @@ public:
         render_options_.given = given_options(*render_);
         compare_options_.given = given_options(*compare_);
         info_options_.given = given_options(*info_);
+        show_options_.given = given_options(*show_);
         materials_options_.given = given_options(*materials_);
         report_options_.given = given_options(*report_);
         if (render_->parsed()) return checked(render_options_);
         if (compare_->parsed()) return compare_options_;
         if (bake_->parsed()) return bake_options_;
         if (info_->parsed()) return info_options_;
+        if (show_->parsed()) return checked(show_options_);
         if (materials_->parsed()) return checked(materials_options_);
         if (gallery_->parsed()) return gallery_options_;
         if (report_->parsed()) return checked(report_options_);
@@ -100,6 +105,25 @@ private:
         return o;
     }
 
+    static const ShowOptions& checked(const ShowOptions& o) {
+        if (o.scene.model.empty() && !o.lists_panels && !o.probes)
+            throw input_error("the scene is missing: expected a scene file or a model; see 'shade16 show --help'.");
+        const auto belong = [&o](std::initializer_list<const char*> options, bool where, const char* to) {
+            for (const char* option : options)
+                if (!where && o.given.contains(option)) throw input_error("{}: belongs to {}; expected both, or neither.", option, to);
+        };
+        belong({"--panel", "--rotate", "--mirror", "--dc", "--reset", "--backlight", "--spi", "--spi-hz", "--spi-mode", "--clock", "--data", "--select", "--off",
+                "--dry-run"},
+               o.screen.kind == ScreenKind::linux_spi, "--board linux_spi");
+        belong({"--framebuffer"}, o.screen.kind == ScreenKind::fbdev, "--board fbdev");
+        belong({"--data", "--select"}, o.given.contains("--clock"), "--clock");
+        belong({"--clock"}, o.given.contains("--data"), "--data");
+        for (const char* option : {"--spi", "--spi-hz", "--spi-mode"})
+            if (o.given.contains("--clock") && o.given.contains(option))
+                throw input_error("{}: --clock and --data take the place of SPI; expected the one or the other.", option);
+        return o;
+    }
+
     /// What draws belongs to the picture.
     static const MaterialsOptions& checked(const MaterialsOptions& o) {
         for (const char* option : {"--size", "--tier", "--shading"})
@@ -118,7 +142,7 @@ private:
 
     /// The command that was given, or nullptr.
     const CLI::App* called() const {
-        for (const CLI::App* app : {render_, compare_, bake_, info_, preview_, materials_, gallery_, report_})
+        for (const CLI::App* app : {render_, compare_, bake_, info_, preview_, show_, materials_, gallery_, report_})
             if (app->parsed()) return app;
         return nullptr;
     }
@@ -158,12 +182,13 @@ private:
 
     CLI::App app_{"", "shade16"};
     CLI::App *render_ = nullptr, *compare_ = nullptr, *bake_ = nullptr, *info_ = nullptr, *preview_ = nullptr,
-             *materials_ = nullptr, *gallery_ = nullptr, *report_ = nullptr;
+             *show_ = nullptr, *materials_ = nullptr, *gallery_ = nullptr, *report_ = nullptr;
     RenderOptions render_options_{};
     CompareOptions compare_options_{};
     BakeOptions bake_options_{};
     InfoOptions info_options_{};
     PreviewOptions preview_options_{};
+    ShowOptions show_options_{};
     MaterialsOptions materials_options_{};
     GalleryOptions gallery_options_{};
     ReportOptions report_options_{};

@@ -13,7 +13,7 @@ struct Answer {
     std::string text{};
 };
 
-using Command = std::variant<Answer, RenderOptions, CompareOptions, BakeOptions, InfoOptions, PreviewOptions, MaterialsOptions,
+using Command = std::variant<Answer, RenderOptions, CompareOptions, BakeOptions, InfoOptions, PreviewOptions, ShowOptions, MaterialsOptions,
                              GalleryOptions, ReportOptions>;
 
 /// Throws input_error with one sentence.

@@ -13,6 +13,7 @@ void add_render(CLI::App& app, RenderOptions& o);
 void add_compare(CLI::App& app, CompareOptions& o);
 void add_bake(CLI::App& app, BakeOptions& o);
 void add_info(CLI::App& app, InfoOptions& o);
+void add_show(CLI::App& app, ShowOptions& options);
 void add_preview(CLI::App& app, PreviewOptions& o);
 void add_materials(CLI::App& app, MaterialsOptions& o);
 void add_gallery(CLI::App& app, GalleryOptions& o);

@@ -11,6 +11,7 @@ inline constexpr const char* program_help =
   shade16 compare teapot.obj                            how far from double precision, and is it what is promised?
   shade16 bake teapot.obj -o teapot.hpp                 the model as a C++ header for the microcontroller
   shade16 preview teapot.obj                            a look at it in the terminal
+  shade16 show teapot.obj --dc GPIO25                   the same on a panel at the SPI of a Raspberry Pi
   shade16 info teapot.obj                               what it needs, and what it takes in flash and RAM
   shade16 materials -o sheet.png                        the 24 classic materials by name
 
@@ -71,6 +72,19 @@ inline constexpr const char* preview_help =
   shade16 preview teapot.obj | less -R                  the same where there is no terminal
 
 Shows the model in the terminal, two pixels a character, in 24-bit colour; in letters alone where NO_COLOR is set.
+)";
+
+inline constexpr const char* show_help =
+    R"(Examples:
+  shade16 show teapot.obj --panel ili9341 --dc GPIO25 --reset GPIO27 --backlight GPIO18 --rotate 90
+  shade16 show teapot.obj --panel st7789_240x240 --dc GPIO25 --spi /dev/spidev0.1 --spi-hz 40M
+  shade16 show teapot.obj --panel mine.txt --dc GPIO25 --clock GPIO11 --data GPIO10     without SPI, slowly
+  shade16 show teapot.obj --board fbdev                 the kernel's framebuffer
+  shade16 show teapot.obj --board terminal              a look at it over ssh
+  shade16 show --probe --dc GPIO25                      what is there, and what brings the rest
+  shade16 show teapot.obj --frames 1 --dry-run          what the panel would be sent
+
+Draws frame after frame, sends the rows that changed, and ends with Ctrl-C. docs/linux.md has the wiring.
 )";
 
 inline constexpr const char* materials_help =

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "host_sim/cli/open_screen.hpp"
 #include "host_sim/bounds/shard.hpp"
 #include "host_sim/engine/formats.hpp"
 #include "shade16/pipeline/transform.hpp"
@@ -63,6 +64,15 @@ struct PreviewOptions {
     std::optional<double> crease{};
     Component component = Component::all;
     int frames = 0;  // 0: until somebody ends it
+};
+
+struct ShowOptions {
+    PreviewOptions scene{};  // its format is the screen's, where that has one
+    ScreenOptions screen{};
+    int fps = 30;
+    bool quiet = false;
+    bool lists_panels = false, probes = false;  // instead of showing
+    std::set<std::string> given{};              // as in RenderOptions
 };
 
 struct MaterialsOptions {

@@ -116,6 +116,24 @@ std::string dither_of(const std::string& word) {
     return word;
 }
 
+ScreenKind screen_kind_of(const std::string& word) {
+    expect_one_of("--board", word, {"linux_spi", "fbdev", "terminal"});
+    return word == "fbdev" ? ScreenKind::fbdev : word == "terminal" ? ScreenKind::terminal : ScreenKind::linux_spi;
+}
+
+int quarter_turns_of(const std::string& word) {
+    expect_one_of("--rotate", word, {"0", "90", "180", "270"});
+    return *number(word) / 90;
+}
+
+uint32_t hz_of(const std::string& word) {
+    const bool is_mega = word.ends_with('M'), is_kilo = word.ends_with('k');
+    const std::optional<int> value = number(std::string_view(word).substr(0, word.size() - (is_mega || is_kilo)));
+    const int64_t hz = value.value_or(0) * int64_t{is_mega ? 1'000'000 : is_kilo ? 1000 : 1};
+    if (hz < 1000 || hz > 500'000'000) throw input_error("--spi-hz {}: expected a clock from 1k to 500M, such as 32M.", word);
+    return static_cast<uint32_t>(hz);
+}
+
 std::string subject_of(const std::string& word) {
     expect_one_of("report", word, {"bounds"});
     return word;

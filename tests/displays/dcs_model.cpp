@@ -26,6 +26,7 @@ int parameter_count(uint8_t command) {
         case dcs::normal_mode:
         case dcs::not_inverted:
         case dcs::inverted:
+        case dcs::display_off:
         case dcs::display_on: return 0;
         case dcs::columns:
         case dcs::rows: return 4;
@@ -43,6 +44,10 @@ DcsModel::DcsModel(const DcsPanel& panel)
       known_(memory_.size()) {}
 
 void DcsModel::reset_line(bool high) {
+    if (!high) {  // what had begun is forgotten, but for the memory
+        has_command_ = false, parameters_.clear();
+        asleep_ = true, on_ = false, inverted_ = false, access_ = 0, format_ = 0x66;
+    }
     if (high && !line_high_) was_reset_ = true, may_command_ms_ = now_ms_ + after_line_ms, may_show_ms_ = may_command_ms_;
     line_high_ = high;
 }
@@ -59,6 +64,7 @@ void DcsModel::command(uint8_t byte) {
         case dcs::sleep_out: asleep_ = false, may_command_ms_ = now_ms_ + after_sleep_out_ms; break;
         case dcs::not_inverted: inverted_ = false; break;
         case dcs::inverted: inverted_ = true; break;
+        case dcs::display_off: on_ = false; break;
         case dcs::display_on:
             if (asleep_) complain("the display was switched on while it slept");
             on_ = true;

@@ -29,6 +29,7 @@ public:
     /// The first thing that was wrong, or nothing; `end` also looks at what is missing.
     const std::string& complaint() const { return complaint_; }
     void end();
+    bool is_on() const { return on_; }
     Seen seen() const;
 
 private:

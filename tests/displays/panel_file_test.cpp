@@ -7,7 +7,7 @@
 #include <map>
 #include <sstream>
 
-#include "tests/displays/all_panels.hpp"
+#include <display/all_panels.hpp>
 #include "tests/system/scratch_directory.hpp"
 
 namespace shade16::displays {
@@ -46,7 +46,7 @@ TEST(PanelFile, EveryTextIsTheDriverOfItsName) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         const PanelFile file = host::read_panel_file(entry.path().string());
         const DcsPanel text = file.panel();
-        ASSERT_EQ(compiled.count(text.name), 1u) << entry.path() << " has no driver in all_panels.hpp; add it there";
+        ASSERT_EQ(compiled.count(text.name), 1u) << entry.path() << " has no driver in firmware/display/all_panels.hpp; add it there";
         const DcsPanel driver = compiled.extract(text.name).mapped();
         EXPECT_EQ(std::vector(driver.beginning, driver.beginning + driver.beginning_bytes), file.beginning) << text.name;
         EXPECT_EQ(facts(driver), facts(text)) << text.name;

@@ -7,7 +7,7 @@
 #include <random>
 #include <sstream>
 
-#include "tests/displays/all_panels.hpp"
+#include <display/all_panels.hpp>
 #include "tests/displays/model_bus.hpp"
 #include "tests/system/scratch_directory.hpp"
 

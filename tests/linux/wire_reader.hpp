@@ -2,15 +2,25 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
+#include <utility>
 
 #include "tests/displays/dcs_model.hpp"
 
 namespace shade16::linux_spi {
 
-/// The model's time is this computer's, so that pauses that are too short show.
+/// Milliseconds since now, by this computer's clock.
+inline std::function<uint32_t()> stopwatch() {
+    using namespace std::chrono;
+    const auto begin = steady_clock::now();
+    return [begin] { return static_cast<uint32_t>(duration_cast<milliseconds>(steady_clock::now() - begin).count()); };
+}
+
+/// The model's time is this computer's or the record's of what is read, so that pauses that are too short show.
 class WireReader {
 public:
-    explicit WireReader(displays::DcsModel& model) : model_(model) {}
+    explicit WireReader(displays::DcsModel& model, std::function<uint32_t()> now_ms = stopwatch())
+        : model_(model), now_ms_(std::move(now_ms)) {}
 
     void reset(bool high) {
         pass_time();
@@ -30,12 +40,12 @@ public:
 
 private:
     void pass_time() {
-        const auto since = std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - begin_).count();
-        model_.delay_ms(static_cast<uint32_t>(since) - passed_ms_);
-        passed_ms_ = static_cast<uint32_t>(since);
+        const uint32_t now = now_ms_();
+        model_.delay_ms(now - passed_ms_);
+        passed_ms_ = now;
     }
     displays::DcsModel& model_;
-    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+    std::function<uint32_t()> now_ms_;
     uint32_t passed_ms_ = 0;
     uint8_t byte_ = 0;
     int bits_ = 0;

@@ -199,7 +199,7 @@ TEST(CliOutput, bake_says_what_it_made_of_a_scene_file) {
 
 TEST(CliOutput, help_begins_with_examples) {
     for (const char* arguments : {"--help", "render --help", "compare --help", "bake --help", "info --help",
-                                  "preview --help", "-h", "render -h"}) {
+                                  "preview --help", "show --help", "-h", "render -h"}) {
         const Ran ran = shade16_program(arguments);
         EXPECT_EQ(ran.exit_code, 0);
         EXPECT_THAT(ran.out, StartsWith("Examples:\n  shade16 "));

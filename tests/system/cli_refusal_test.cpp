@@ -188,9 +188,9 @@ TEST(CliRefusal, words_nobody_knows) {
 }
 
 TEST(CliRefusal, commands_nobody_knows) {
-    expect_refusal(shade16_program(""), 2, "a command is missing: expected render, compare, bake, info, preview, materials, gallery or report");
+    expect_refusal(shade16_program(""), 2, "a command is missing: expected render, compare, bake, info, preview, show, materials, gallery or report");
     expect_refusal(shade16_program("rendr"), 2, "rendr: there is no such command; did you mean render?");
-    expect_refusal(shade16_program("paint x"), 2, "paint: there is no such command; expected render, compare, bake, info, preview, materials, gallery or report");
+    expect_refusal(shade16_program("paint x"), 2, "paint: there is no such command; expected render, compare, bake, info, preview, show, materials, gallery or report");
     expect_refusal(shade16_program("--xyz"), 2, "--xyz: there is no such option; see 'shade16 --help'.");
     expect_refusal(shade16_program("--quiet render"), 2, "--quiet: belongs after the command");
 }

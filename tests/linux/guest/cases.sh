@@ -1,22 +1,8 @@
-# Every case: what the program says, its exit code, and who holds lines afterwards, as libgpiod and as the kernel's debugfs tell.
+# Every case of lines that a program sets.
 simulated=/sys/devices/platform/$(cat /config/gpio-sim/panel/dev_name)/$(cat /config/gpio-sim/panel/bank0/chip_name)
 live=/config/gpio-sim/panel/live
 
-after() {
-  echo "exit code $1"
-  guest used
-  echo "lines in use by debugfs: $(grep -c '|' /sys/kernel/debug/gpio)"
-}
-run() { guest "$@"; after $?; }
-# Starts the program in the background, and waits until it has said a word.
-start() {
-  word=$1
-  : >/said  # not what the last one said
-  shift
-  guest "$@" >/said 2>&1 &
-  while ! grep -q "$word" /said; do usleep 20000; kill -0 $! 2>/dev/null || break; done
-}
-ended() { { wait $!; } 2>/dev/null; code=$?; sed "${1:-}" /said; after $code; }
+. /asking.sh
 
 # Which line of a chip that goes is the next to be set is chance: the clock, the data or the command line.
 whichever="s/^line '\(GPIO11\|GPIO10\|25\)'/line 'GPIO11, GPIO10 or 25'/"

@@ -10,6 +10,7 @@
 #include "boards/linux_spi/bit_banged_spi.hpp"
 #include "boards/linux_spi/linux_bus.hpp"
 #include "host_sim/error.hpp"
+#include "tests/linux/guest/light_log.hpp"
 #include "tests/linux/guest/picture.hpp"
 #include "tests/linux/wire_reader.hpp"
 
@@ -55,25 +56,20 @@ public:
         clock_was_high_ = high;
     }
     void look_at_reset() { reader_.reset(reset_.high()); }
-    void look_at_backlight() {
-        if (backlight_.high() == shines_) return;
-        shines_ = !shines_;
-        lights_ += std::string(lights_.empty() ? "" : ", ") + (shines_ ? "on" : "off");
-    }
+    void look_at_backlight() { light_.look(backlight_.high()); }
 
     displays::DcsModel& model() { return model_; }
     bool in_a_byte() const { return reader_.in_a_byte(); }
     long bits() const { return bits_; }
-    /// What the backlight did: "on, off".
-    const std::string& lights() const { return lights_; }
+    const std::string& lights() const { return light_.text(); }
 
 private:
     SimulatedWire clock_, data_, command_, reset_, backlight_, select_;
     displays::DcsModel model_{guest_panel};
     WireReader reader_{model_};
-    bool clock_was_high_ = false, shines_ = false;
+    LightLog light_{};
+    bool clock_was_high_ = false;
     long bits_ = 0;
-    std::string lights_{};
 };
 
 /// What drives it: the board's own parts, over watched lines. Reading every bit takes three times as long as sending it.

@@ -12,6 +12,7 @@ using shade16::linux_spi::FakeLine;
 struct gpiod_line {
     FakeChip* chip;
     unsigned offset;
+    int removals;
     FakeLine& fake_line() const { return chip->lines.at(offset); }
 };
 struct gpiod_chip {
@@ -38,7 +39,7 @@ unsigned gpiod_chip_num_lines(gpiod_chip* chip) { return static_cast<unsigned>(c
 gpiod_line* gpiod_chip_get_line(gpiod_chip* chip, unsigned offset) {
     if (offset >= chip->chip->lines.size()) return errno = EINVAL, nullptr;
     if (fake.fails()) return nullptr;
-    chip->lines.push_back(std::make_unique<gpiod_line>(gpiod_line{chip->chip, offset}));
+    chip->lines.push_back(std::make_unique<gpiod_line>(gpiod_line{chip->chip, offset, chip->chip->removals}));
     return chip->lines.back().get();
 }
 
@@ -48,5 +49,5 @@ bool gpiod_line_is_used(gpiod_line* line) { return line->fake_line().used; }
 int gpiod_line_request_output_flags(gpiod_line* line, const char* consumer, int flags, int value) {
     return fake.request(*line->chip, line->offset, consumer, flags == GPIOD_LINE_REQUEST_FLAG_ACTIVE_LOW, value != 0);
 }
-int gpiod_line_set_value(gpiod_line* line, int value) { return fake.set(*line->chip, line->offset, value != 0); }
+int gpiod_line_set_value(gpiod_line* line, int value) { return fake.set(*line->chip, line->offset, value != 0, line->removals); }
 void gpiod_line_release(gpiod_line* line) { fake.release(line->fake_line()); }

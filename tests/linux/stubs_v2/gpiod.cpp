@@ -30,6 +30,7 @@ struct gpiod_request_config {
 struct gpiod_line_request {
     FakeChip* chip;
     unsigned offset;
+    int removals;
 };
 
 namespace {
@@ -60,7 +61,7 @@ gpiod_line_info* gpiod_chip_get_line_info(gpiod_chip* chip, unsigned offset) {
 }
 gpiod_line_request* gpiod_chip_request_lines(gpiod_chip* chip, gpiod_request_config* config, gpiod_line_config* lines) {
     if (!lines->settings.output) return errno = EINVAL, nullptr;
-    gpiod_line_request* const request = made(gpiod_line_request{chip->chip, lines->offset});
+    gpiod_line_request* const request = made(gpiod_line_request{chip->chip, lines->offset, chip->chip->removals});
     if (request == nullptr) return nullptr;
     if (fake.request(*chip->chip, lines->offset, config->consumer, lines->settings.active_low, lines->settings.value) == 0) return request;
     end(request);
@@ -106,5 +107,5 @@ void gpiod_line_request_release(gpiod_line_request* request) {
 }
 int gpiod_line_request_set_value(gpiod_line_request* request, unsigned offset, gpiod_line_value value) {
     if (offset != request->offset) return errno = EINVAL, -1;
-    return fake.set(*request->chip, offset, value == GPIOD_LINE_VALUE_ACTIVE);
+    return fake.set(*request->chip, offset, value == GPIOD_LINE_VALUE_ACTIVE, request->removals);
 }

@@ -1,0 +1,70 @@
+#include <unistd.h>
+
+#include <utility>
+
+#include "boards/linux_spi/system_calls.hpp"
+#include "host_sim/cli/open_screen.hpp"
+#include "host_sim/screen/panel_by_name.hpp"
+#ifdef SHADE16_HAS_GPIO
+#include "boards/linux_spi/output_line.hpp"
+#endif
+
+namespace shade16::host {
+
+namespace {
+
+/// Collects a line for each thing that is there or not.
+class Findings {
+public:
+    /// `action` throws where something is missing.
+    template <class Action>
+    void look(const std::string& what, Action action) {
+        try {
+            action();
+            text_ += fmt::format("ok       {}\n", what);
+        } catch (const Error& error) {
+            text_ += fmt::format("missing  {}: {}\n", what, error.what());
+            is_ready_ = false;
+        }
+    }
+    Probe probe() const { return {text_, is_ready_}; }
+
+private:
+    std::string text_{};
+    bool is_ready_ = true;
+};
+
+void look_for_line(Findings& findings, const char* option, const std::string& line) {
+    if (line.empty()) return;
+    findings.look(fmt::format("{} {}", option, line), [&] {
+#ifdef SHADE16_HAS_GPIO
+        linux_spi::OutputLine taken(line);
+#else
+        throw input_error("this program was built without libgpiod; expected it to be built where libgpiod-dev is installed.");
+#endif
+    });
+}
+
+void look_for_wires(Findings& findings, const ScreenOptions& o) {
+    const Wires& w = o.wires;
+    findings.look("--panel " + o.panel, [&] { panel_by_name(o.panel); });
+    if (w.clock.empty()) findings.look("--spi " + w.spi.device, [&] { linux_spi::Spidev spi(linux_spi::system_calls(), w.spi); });
+    if (w.command.empty()) findings.look("--dc", [] { throw input_error("the data/command line is not said; expected a line such as --dc GPIO25."); });
+    for (const auto& [option, line] : {std::pair{"--dc", w.command}, {"--reset", w.reset}, {"--backlight", w.backlight}, {"--clock", w.clock}, {"--data", w.data},
+                                       {"--select", w.select}})
+        look_for_line(findings, option, line);
+}
+
+}  // namespace
+
+Probe probe(const ScreenOptions& o) {
+    Findings findings;
+    if (o.kind == ScreenKind::linux_spi) look_for_wires(findings, o);
+    if (o.kind == ScreenKind::fbdev) findings.look("--framebuffer " + o.framebuffer, [&] { open_screen(o); });
+    if (o.kind == ScreenKind::terminal) findings.look("a terminal", [] {
+        if (isatty(STDOUT_FILENO) == 0) throw input_error("standard output is none; expected one, or the picture is plain text.");
+    });
+    return findings.probe();
+}
+
+}  // namespace shade16::host
