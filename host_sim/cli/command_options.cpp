@@ -17,6 +17,10 @@ CLI::Option* add(CLI::App& app, const char* name, const char* type, const char* 
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
 }
 
+void add_word(CLI::App& app, const char* name, const char* type, std::string& word, const char* help) {
+    add(app, name, type, help, [&word](const std::string& given) { word = given; });
+}
+
 void add_flag(CLI::App& app, const char* name, bool& is_given, const char* help) {
     app.add_flag(name, is_given, help)->disable_flag_override();
 }
@@ -155,23 +159,27 @@ void add_preview(CLI::App& app, PreviewOptions& o) {
 void add_show(CLI::App& app, ShowOptions& o) {
     ScreenOptions& s = o.screen;
     app.add_option("SCENE", o.scene.model, "a scene file (.toml), or a Wavefront OBJ file to be fitted into the frame")->type_name("");
-    add(app, "--board", "WORD", "linux_spi, fbdev or terminal [linux_spi]", [&](const std::string& word) { s.kind = screen_kind_of(word); });
-    add(app, "--panel", "NAME", "one of --list-panels, or a file (.txt) [ili9341]", [&](const std::string& word) { s.panel = word; });
-    add(app, "--rotate", "DEGREES", "0, 90, 180 or 270, clockwise [0]", [&](const std::string& word) { s.quarter_turns = quarter_turns_of(word); });
+    add(app, "--board", "WORD", "linux_spi, fbdev or terminal [linux_spi]",
+        [&](const std::string& word) { s.kind = screen_kind_of(word); });
+    add_word(app, "--panel", "NAME", s.panel, "one of --list-panels, or a file (.txt) [ili9341]");
+    add(app, "--rotate", "DEGREES", "0, 90, 180 or 270, clockwise [0]",
+        [&](const std::string& word) { s.quarter_turns = quarter_turns_of(word); });
     add_flag(app, "--mirror", s.mirrored, "left and right exchanged");
-    add(app, "--dc", "LINE", "the data/command line: GPIO25, 25, or gpiochip0:25", [&](const std::string& word) { s.wires.command = word; });
-    add(app, "--reset", "LINE", "the reset line, where the panel has one", [&](const std::string& word) { s.wires.reset = word; });
-    add(app, "--backlight", "LINE", "the backlight's line, where there is one", [&](const std::string& word) { s.wires.backlight = word; });
-    add(app, "--spi", "DEVICE", "spidev's [/dev/spidev0.0]", [&](const std::string& word) { s.wires.spi.device = word; });
-    add(app, "--spi-hz", "N", "its clock, such as 32M [32M]; lower it where pictures break up", [&](const std::string& word) { s.wires.spi.hz = hz_of(word); });
+    add_word(app, "--dc", "LINE", s.wires.command, "the data/command line: GPIO25, 25, or gpiochip0:25");
+    add_word(app, "--reset", "LINE", s.wires.reset, "the reset line, where the panel has one");
+    add_word(app, "--backlight", "LINE", s.wires.backlight, "the backlight's line, where there is one");
+    add_word(app, "--spi", "DEVICE", s.wires.spi.device, "spidev's [/dev/spidev0.0]");
+    add(app, "--spi-hz", "N", "its clock, such as 32M [32M]; lower it where pictures break up",
+        [&](const std::string& word) { s.wires.spi.hz = hz_of(word); });
     add(app, "--spi-mode", "N", "0, or 3 for some panels without a select line [0]",
         [&](const std::string& word) { s.wires.spi.mode = static_cast<uint8_t>(whole_number("--spi-mode", word, 0, 3)); });
-    add(app, "--clock", "LINE", "with --data: bits line by line, where there is no SPI", [&](const std::string& word) { s.wires.clock = word; });
-    add(app, "--data", "LINE", "see --clock", [&](const std::string& word) { s.wires.data = word; });
-    add(app, "--select", "LINE", "with --clock: the panel's select line, where it has one", [&](const std::string& word) { s.wires.select = word; });
-    add(app, "--framebuffer", "DEVICE", "of --board fbdev [/dev/fb0]", [&](const std::string& word) { s.framebuffer = word; });
+    add_word(app, "--clock", "LINE", s.wires.clock, "with --data: bits line by line, where there is no SPI");
+    add_word(app, "--data", "LINE", s.wires.data, "see --clock");
+    add_word(app, "--select", "LINE", s.wires.select, "with --clock: the panel's select line, where it has one");
+    add_word(app, "--framebuffer", "DEVICE", s.framebuffer, "of --board fbdev [/dev/fb0]");
     add(app, "--fps", "N", "frames a second at most [30]", [&](const std::string& word) { o.fps = whole_number("--fps", word, 1, 1000); });
-    add(app, "--frames", "N", "stop after so many, 90 a turn [until Ctrl-C]", [&](const std::string& word) { o.scene.frames = whole_number("--frames", word, 1, 100'000'000); });
+    add(app, "--frames", "N", "stop after so many, 90 a turn [until Ctrl-C]",
+        [&](const std::string& word) { o.scene.frames = whole_number("--frames", word, 1, 100'000'000); });
     add_flag(app, "--off", s.wires.is_dark_at_end, "switch panel and backlight off at the end");
     add_flag(app, "--dry-run", s.dry_run, "print what the panel would be sent");
     add_flag(app, "--list-panels", o.lists_panels, "print the panels and end");

@@ -30,7 +30,7 @@ std::unique_ptr<Screen> panel_screen(const ScreenOptions& o) {
 
 std::unique_ptr<Screen> open_screen(const ScreenOptions& o) {
     switch (o.kind) {
-        case ScreenKind::fbdev: return std::make_unique<Framebuffer>(linux_spi::system_calls(), o.framebuffer);
+        case ScreenKind::fbdev: return std::make_unique<Framebuffer>(linux_spi::system_calls(), o.framebuffer, "/dev/tty0");
         case ScreenKind::terminal: return std::make_unique<TerminalScreen>();
         case ScreenKind::linux_spi: break;
     }

@@ -16,14 +16,14 @@ namespace {
 /// Collects a line for each thing that is there or not.
 class Findings {
 public:
-    /// `action` throws where something is missing.
+    /// `action` throws where `value` is missing.
     template <class Action>
-    void look(const std::string& what, Action action) {
+    void look(const std::string& option, const std::string& value, Action action) {
         try {
             action();
-            text_ += fmt::format("ok       {}\n", what);
+            text_ += fmt::format("ok       {} {}\n", option, value);
         } catch (const Error& error) {
-            text_ += fmt::format("missing  {}: {}\n", what, error.what());
+            text_ += fmt::format("missing  {}: {}\n", option, error.what());
             is_ready_ = false;
         }
     }
@@ -34,11 +34,12 @@ private:
     bool is_ready_ = true;
 };
 
-void look_for_line(Findings& findings, const char* option, const std::string& line) {
+/// Takes it for a moment. What is low when it acts stays high.
+void look_for_line(Findings& findings, const std::string& option, const std::string& line) {
     if (line.empty()) return;
-    findings.look(fmt::format("{} {}", option, line), [&] {
+    findings.look(option, line, [&] {
 #ifdef SHADE16_HAS_GPIO
-        linux_spi::OutputLine taken(line);
+        linux_spi::OutputLine taken(line, {.initially = option == "--reset" || option == "--select"});
 #else
         throw input_error("this program was built without libgpiod; expected it to be built where libgpiod-dev is installed.");
 #endif
@@ -47,11 +48,11 @@ void look_for_line(Findings& findings, const char* option, const std::string& li
 
 void look_for_wires(Findings& findings, const ScreenOptions& o) {
     const Wires& w = o.wires;
-    findings.look("--panel " + o.panel, [&] { panel_by_name(o.panel); });
-    if (w.clock.empty()) findings.look("--spi " + w.spi.device, [&] { linux_spi::Spidev spi(linux_spi::system_calls(), w.spi); });
-    if (w.command.empty()) findings.look("--dc", [] { throw input_error("the data/command line is not said; expected a line such as --dc GPIO25."); });
-    for (const auto& [option, line] : {std::pair{"--dc", w.command}, {"--reset", w.reset}, {"--backlight", w.backlight}, {"--clock", w.clock}, {"--data", w.data},
-                                       {"--select", w.select}})
+    findings.look("--panel", o.panel, [&] { panel_by_name(o.panel); });
+    if (w.clock.empty()) findings.look("--spi", w.spi.device, [&] { linux_spi::Spidev spi(linux_spi::system_calls(), w.spi); });
+    if (w.command.empty()) findings.look("--dc", "", [] { throw input_error("the data/command line is not said; expected a line such as --dc GPIO25."); });
+    for (const auto& [option, line] : {std::pair{"--dc", w.command}, {"--reset", w.reset}, {"--backlight", w.backlight}, {"--clock", w.clock},
+                                       {"--data", w.data}, {"--select", w.select}})
         look_for_line(findings, option, line);
 }
 
@@ -60,9 +61,9 @@ void look_for_wires(Findings& findings, const ScreenOptions& o) {
 Probe probe(const ScreenOptions& o) {
     Findings findings;
     if (o.kind == ScreenKind::linux_spi) look_for_wires(findings, o);
-    if (o.kind == ScreenKind::fbdev) findings.look("--framebuffer " + o.framebuffer, [&] { open_screen(o); });
-    if (o.kind == ScreenKind::terminal) findings.look("a terminal", [] {
-        if (isatty(STDOUT_FILENO) == 0) throw input_error("standard output is none; expected one, or the picture is plain text.");
+    if (o.kind == ScreenKind::fbdev) findings.look("--framebuffer", o.framebuffer, [&] { open_screen(o); });
+    if (o.kind == ScreenKind::terminal) findings.look("--board", "terminal", [] {
+        if (isatty(STDOUT_FILENO) == 0) throw input_error("standard output is no terminal; expected one.");
     });
     return findings.probe();
 }

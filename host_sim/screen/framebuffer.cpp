@@ -34,7 +34,8 @@ std::vector<uint8_t> as_xrgb8888(const uint8_t* rgb, int width) {
 
 }  // namespace
 
-Framebuffer::Framebuffer(linux_spi::SystemCalls& system, const std::string& device) : system_(system), device_(device), file_(system.open(device)) {
+Framebuffer::Framebuffer(linux_spi::SystemCalls& system, const std::string& device, const std::string& console)
+    : system_(system), device_(device), file_(system.open(device)), cursor_(console) {
     if (file_ < 0) throw cannot_open(device_, -file_);
     try {
         ask_for_layout();

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "host_sim/screen/changed_rows.hpp"
+#include "host_sim/screen/console_cursor.hpp"
 #include "host_sim/screen/screen.hpp"
 #include "boards/linux_spi/system_calls.hpp"
 
@@ -12,7 +13,8 @@ namespace shade16::host {
 
 class Framebuffer final : public Screen {
 public:
-    Framebuffer(linux_spi::SystemCalls& system, const std::string& device);
+    /// `console` is what has a cursor on it.
+    Framebuffer(linux_spi::SystemCalls& system, const std::string& device, const std::string& console);
     ~Framebuffer() override;
 
     Viewport size() const override { return size_; }
@@ -31,6 +33,7 @@ private:
     std::size_t bytes_a_pixel_ = 0;
     long first_ = 0, row_bytes_ = 0;  // of the memory: where the screen begins, and from a row to the next
     ChangedRows changed_{};
+    HiddenCursor cursor_;
 };
 
 }  // namespace shade16::host

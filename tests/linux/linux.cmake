@@ -32,3 +32,6 @@ endif()
 shade16_add_script_test(linux.guest LABEL linux SCRIPT linux/guest/check.cmake ${guest_programs} KERNEL=${PROJECT_SOURCE_DIR}/build/guest
                         WORK=${CMAKE_CURRENT_BINARY_DIR}/linux_guest_boot)
 set_tests_properties(linux.guest PROPERTIES TIMEOUT 180)
+shade16_add_script_test(linux.framebuffer LABEL linux SCRIPT linux/guest/framebuffer_check.cmake ${guest_programs} KERNEL=${PROJECT_SOURCE_DIR}/build/guest
+                        WORK=${CMAKE_CURRENT_BINARY_DIR}/linux_framebuffer_boot)
+set_tests_properties(linux.framebuffer PROPERTIES TIMEOUT 180)

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "boards/linux_spi/spidev.hpp"
-#include "host_sim/error.hpp"
+#include "tests/system/scratch_directory.hpp"
 
 namespace shade16::host {
 namespace {
@@ -66,17 +66,6 @@ std::vector<uint8_t> noise(std::size_t count) {
     std::vector<uint8_t> bytes(count);
     for (uint8_t& byte : bytes) byte = static_cast<uint8_t>(engine());
     return bytes;
-}
-
-/// The sentence that an action ends with, or nothing.
-template <class Action>
-std::string sentence_of(Action action) {
-    try {
-        action();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
 }
 
 TEST(Spidev, MessagesFitTheBufferAndEndWithRows) {
@@ -140,8 +129,8 @@ TEST(Spidev, BeginsSlowly) {
 TEST(Spidev, ChangesTheModeOnlyWhereItMustAndLeavesItsOtherBits) {
     Model model;
     model.mode = SPI_CS_HIGH, model.mode_error = EINVAL;  // a driver that takes no change
-    EXPECT_EQ(sentence_of([&] { Spidev spi(model, {.mode = 0}); }), "");
-    EXPECT_EQ(sentence_of([&] { Spidev spi(model, {.mode = 3}); }), "/dev/spidev0.0: does not take its mode: Invalid argument.");
+    EXPECT_EQ(complaint([&] { Spidev spi(model, {.mode = 0}); }), "no complaint");
+    EXPECT_EQ(complaint([&] { Spidev spi(model, {.mode = 3}); }), "3: /dev/spidev0.0: does not take its mode: Invalid argument.");
     model.mode_error = 0;
     const Spidev spi(model, {.mode = 3});
     EXPECT_EQ(model.mode, SPI_CS_HIGH | SPI_MODE_3);
@@ -150,16 +139,16 @@ TEST(Spidev, ChangesTheModeOnlyWhereItMustAndLeavesItsOtherBits) {
 TEST(Spidev, SaysWhatMendsIt) {
     Model model;
     model.open_error = ENOENT;
-    EXPECT_EQ(sentence_of([&] { Spidev spi(model, {}); }),
-              "/dev/spidev0.0: there is no such device; on a Raspberry Pi, 'echo dtparam=spi=on | sudo tee -a /boot/firmware/config.txt' and a restart bring it.");
-    EXPECT_EQ(sentence_of([&] { Spidev spi(model, {.device = "/dev/spidev1.2"}); }),
-              "/dev/spidev1.2: there is no such device; on a Raspberry Pi, 'echo dtoverlay=spi1-3cs | sudo tee -a /boot/firmware/config.txt' and a restart bring it.");
+    EXPECT_EQ(complaint([&] { Spidev spi(model, {}); }),
+              "3: /dev/spidev0.0: there is no such device; on a Raspberry Pi, 'echo dtparam=spi=on | sudo tee -a /boot/firmware/config.txt' and a restart bring it.");
+    EXPECT_EQ(complaint([&] { Spidev spi(model, {.device = "/dev/spidev1.2"}); }),
+              "3: /dev/spidev1.2: there is no such device; on a Raspberry Pi, 'echo dtoverlay=spi1-3cs | sudo tee -a /boot/firmware/config.txt' and a restart bring it.");
     model.open_error = EACCES;
-    EXPECT_EQ(sentence_of([&] { Spidev spi(model, {.device = "/dev/spidev8.0"}); }),  // permission_denied knows the group of one that exists
-              "SPI: /dev/spidev8.0 is open to root alone; 'sudo chgrp spi /dev/spidev8.0' and 'sudo chmod g+rw /dev/spidev8.0' (or a udev rule that does so at "
+    EXPECT_EQ(complaint([&] { Spidev spi(model, {.device = "/dev/spidev8.0"}); }),  // permission_denied knows the group of one that exists
+              "3: SPI: /dev/spidev8.0 is open to root alone; 'sudo chgrp spi /dev/spidev8.0' and 'sudo chmod g+rw /dev/spidev8.0' (or a udev rule that does so at "
               "every start), 'sudo adduser $USER spi' and a new login mend it.");
     model.open_error = EBUSY;
-    EXPECT_EQ(sentence_of([&] { Spidev spi(model, {}); }), "/dev/spidev0.0: cannot be opened: Device or resource busy.");
+    EXPECT_EQ(complaint([&] { Spidev spi(model, {}); }), "3: /dev/spidev0.0: cannot be opened: Device or resource busy.");
     EXPECT_EQ(model.open_files, 0);
 }
 
@@ -169,11 +158,11 @@ TEST(Spidev, ADeviceThatGoesOrNeverTakesAnythingEndsInASentence) {
     {
         Spidev spi(model, {});
         model.answers = {10, -ENODEV};
-        EXPECT_EQ(sentence_of([&] { spi.send(bytes.data(), bytes.size()); }), "/dev/spidev0.0: the device has gone; expected it to stay while frames are sent.");
+        EXPECT_EQ(complaint([&] { spi.send(bytes.data(), bytes.size()); }), "3: /dev/spidev0.0: the device has gone; expected it to stay while frames are sent.");
         model.answers.assign(2000, -EAGAIN);
-        EXPECT_EQ(sentence_of([&] { spi.send(bytes.data(), bytes.size()); }), "/dev/spidev0.0: 100 bytes were not sent: Resource temporarily unavailable.");
+        EXPECT_EQ(complaint([&] { spi.send(bytes.data(), bytes.size()); }), "3: /dev/spidev0.0: 100 bytes were not sent: Resource temporarily unavailable.");
         model.answers = {-EIO};
-        EXPECT_EQ(sentence_of([&] { spi.send(bytes.data(), bytes.size()); }), "/dev/spidev0.0: 100 bytes were not sent: Input/output error.");
+        EXPECT_EQ(complaint([&] { spi.send(bytes.data(), bytes.size()); }), "3: /dev/spidev0.0: 100 bytes were not sent: Input/output error.");
     }
     EXPECT_EQ(model.open_files, 0);
 }

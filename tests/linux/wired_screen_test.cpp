@@ -7,6 +7,7 @@
 #include "tests/linux/fake_chips.hpp"
 #include "tests/linux/kernel_model.hpp"
 #include "tests/linux/small_panel.hpp"
+#include "tests/system/scratch_directory.hpp"
 
 namespace shade16::linux_spi {
 namespace {
@@ -92,20 +93,13 @@ TEST_F(WiredScreen, SendsBitByBitWhereThereIsNoSpi) {
 }
 
 TEST_F(WiredScreen, SaysWhatIsMissingAndHoldsNothingThen) {
-    const auto sentence = [&] {
-        try {
-            open();
-        } catch (const host::Error& error) {
-            return std::string(error.what());
-        }
-        return std::string();
-    };
+    const auto sentence = [&] { return host::complaint([&] { open(); }); };
     wires_.command = "";
-    EXPECT_EQ(sentence(), "--dc: the data/command line is missing; expected a line such as GPIO25.");
+    EXPECT_EQ(sentence(), "2: --dc: the data/command line is missing; expected a line such as GPIO25.");
     wires_.command = "GPIO25", wires_.reset = "GPIO77";
-    EXPECT_EQ(sentence().substr(0, 8), "no line ");
+    EXPECT_EQ(sentence().substr(0, 11), "2: no line ");
     wires_.reset = "GPIO27", kernel_.open_error = EBUSY;
-    EXPECT_EQ(sentence(), "/dev/spidev0.0: cannot be opened: Device or resource busy.");
+    EXPECT_EQ(sentence(), "3: /dev/spidev0.0: cannot be opened: Device or resource busy.");
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 #include <cstring>
 #include <random>
 
-#include "host_sim/error.hpp"
 #include "host_sim/screen/framebuffer.hpp"
+#include "tests/system/scratch_directory.hpp"
 
 namespace shade16::host {
 namespace {
@@ -63,16 +63,6 @@ Image noise(int width, int height) {
     return image;
 }
 
-template <class Action>
-std::string sentence_of(Action action) {
-    try {
-        action();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
-}
-
 void expect_shown(const Model& model, const Image& image, std::size_t first) {
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) {
@@ -93,7 +83,7 @@ TEST(Framebuffer, RowsStandWhereTheKernelHasThem) {
         Model model(33, 17, bits, 160);
         model.screen.xoffset = 2, model.screen.yoffset = 3;
         model.is_slow = true;
-        Framebuffer screen(model, "/dev/fb0");
+        Framebuffer screen(model, "/dev/fb0", "");
         EXPECT_STREQ(screen.format(), bits == 16 ? "rgb565" : "rgb888");
         const Image image = noise(33, 17);
         screen.show(image);
@@ -105,7 +95,7 @@ TEST(Framebuffer, RowsStandWhereTheKernelHasThem) {
 
 TEST(Framebuffer, OnlyRowsThatChangedAreWritten) {
     Model model(33, 17, 16, 66);
-    Framebuffer screen(model, "/dev/fb0");
+    Framebuffer screen(model, "/dev/fb0", "");
     Image image = noise(33, 17);
     screen.show(image);
     screen.show(image);
@@ -116,25 +106,36 @@ TEST(Framebuffer, OnlyRowsThatChangedAreWritten) {
     expect_shown(model, image, 0);
 }
 
+TEST(Framebuffer, HidesTheConsolesCursorMeanwhile) {
+    const ScratchDirectory scratch;
+    const std::string console = scratch.write("tty0", "");
+    Model model(32, 16, 16, 64);
+    {
+        Framebuffer screen(model, "/dev/fb0", console);
+        EXPECT_EQ(scratch.read("tty0"), "\033[?25l");
+    }
+    EXPECT_EQ(scratch.read("tty0"), "\033[?25l\033[?25h");
+}
+
 TEST(Framebuffer, SaysWhatItCannotUse) {
     Model model(32, 16, 16, 64);
-    const auto open = [&] { Framebuffer screen(model, "/dev/fb0"); };
+    const auto open = [&] { Framebuffer screen(model, "/dev/fb0", ""); };
     model.open_error = EACCES;
-    EXPECT_THAT(sentence_of(open), testing::AllOf(testing::StartsWith("framebuffer: /dev/fb0 is open to "), testing::HasSubstr("'sudo adduser $USER video'")));
+    EXPECT_THAT(complaint(open), testing::AllOf(testing::StartsWith("3: framebuffer: /dev/fb0 is open to "), testing::HasSubstr("'sudo adduser $USER video'")));
     model.open_error = ENOENT;
-    EXPECT_EQ(sentence_of(open), "/dev/fb0: there is no such framebuffer; expected one of /dev/fb*.");
+    EXPECT_EQ(complaint(open), "3: /dev/fb0: there is no such framebuffer; expected one of /dev/fb*.");
     model.open_error = 0, model.is_framebuffer = false;
-    EXPECT_EQ(sentence_of(open), "/dev/fb0: is no framebuffer; expected one of /dev/fb*.");
+    EXPECT_EQ(complaint(open), "3: /dev/fb0: is no framebuffer; expected one of /dev/fb*.");
     model.is_framebuffer = true, model.screen.bits_per_pixel = 24;
-    EXPECT_EQ(sentence_of(open), "/dev/fb0: has pixels of 24 bits in an order that shade16 does not know; expected RGB565 or XRGB8888.");
+    EXPECT_EQ(complaint(open), "3: /dev/fb0: has pixels of 24 bits in an order that shade16 does not know; expected RGB565 or XRGB8888.");
     model.screen.bits_per_pixel = 16, model.memory.line_length = 63;
-    EXPECT_EQ(sentence_of(open), "/dev/fb0: says that it shows 32x16 pixels in rows of 63 bytes; expected rows that hold its pixels.");
+    EXPECT_EQ(complaint(open), "3: /dev/fb0: says that it shows 32x16 pixels in rows of 63 bytes; expected rows that hold its pixels.");
     model.memory.line_length = 64, model.is_gone = true;
-    EXPECT_EQ(sentence_of([&] {
-                  Framebuffer screen(model, "/dev/fb0");
+    EXPECT_EQ(complaint([&] {
+                  Framebuffer screen(model, "/dev/fb0", "");
                   screen.show(noise(32, 16));
               }),
-              "/dev/fb0: the framebuffer has gone; expected it to stay while frames are shown.");
+              "3: /dev/fb0: the framebuffer has gone; expected it to stay while frames are shown.");
     EXPECT_EQ(model.open_files, 0);
 }
 

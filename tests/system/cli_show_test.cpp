@@ -122,10 +122,10 @@ TEST(CliShow, says_what_is_missing) {
     const Ran probe = show("--probe --spi /dev/spidev77.1");
     EXPECT_EQ(probe.exit_code, 1);
     EXPECT_EQ(probe.out, "ok       --panel ili9341\n"
-                         "missing  --spi /dev/spidev77.1: " + no_spi + "\n"
+                         "missing  --spi: " + no_spi + "\n"
                          "missing  --dc: the data/command line is not said; expected a line such as --dc GPIO25.\n");
     EXPECT_EQ(show("--probe --board fbdev --framebuffer /dev/fb77").out,
-              "missing  --framebuffer /dev/fb77: /dev/fb77: there is no such framebuffer; expected one of /dev/fb*.\n");
+              "missing  --framebuffer: /dev/fb77: there is no such framebuffer; expected one of /dev/fb*.\n");
     expect_refusal(teapot(), 2, "--dc: the data/command line is missing; expected a line such as GPIO25.");
     EXPECT_THAT(show(teapot() + " --dc gpiochip77:25").err, HasSubstr("line 'gpiochip77:25': there is no /dev/gpiochip77;"));
     EXPECT_EQ(show(teapot() + " --dc gpiochip77:25").exit_code, 2);

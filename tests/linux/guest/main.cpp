@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "tests/linux/guest/drawing.hpp"
+#include "tests/linux/guest/framebuffer_hash.hpp"
 #include "tests/linux/guest/on_spidev.hpp"
 #include "tests/linux/guest/simulated_panel.hpp"
 #include "tests/linux/guest/watched.hpp"
@@ -17,6 +18,7 @@ namespace {
 constexpr const char* usage =
     "usage: guest show CHIP | draw CHIP | try LINE | low CHIP | hold LINE CONSUMER | used | as UID COMMAND... | in_the_foreground COMMAND...\n"
     "       guest show_on_spidev DEVICE HOW | draw_on_spidev DEVICE | try_spidev DEVICE MODE | watch PROGRAM... | become PROGRAM...\n"
+    "       guest framebuffer_hash DEVICE BITS PIXELS\n"
     "CHIP is the simulator's folder of a chip, /sys/devices/platform/gpio-sim.0/gpiochip0. DEVICE is /dev/spidev0.0.\n"
     "HOW is mode_0, mode_3 or untold.";
 
@@ -77,6 +79,7 @@ int run(const std::vector<std::string>& words) {
     if (command == "try_spidev" && words.size() == 3) return try_spidev(words[1], static_cast<unsigned>(std::atoi(words[2].c_str())));
     if (command == "watch" && words.size() > 1) return watch({words.begin() + 1, words.end()});
     if (command == "become" && words.size() > 1) return become({words.begin() + 1, words.end()});
+    if (command == "framebuffer_hash" && words.size() == 4) return framebuffer_hash(words[1], std::atoi(words[2].c_str()), std::atoi(words[3].c_str()));
     if (command == "try" && words.size() == 2) return try_line(words[1]);
     if (command == "low" && words.size() == 2) return low(words[1]);
     if (command == "hold" && words.size() == 3) return hold(words[1], words[2]);
