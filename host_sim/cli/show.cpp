@@ -112,7 +112,7 @@ private:
     linux_spi::StopOnSignal stop_{};
     LastingScreen screen_;
     std::optional<Film> film_{};
-    LiveFigures live_{!o_.quiet && !o_.screen.takes_stdout()};
+    LiveFigures live_{!o_.quiet && !(o_.screen.takes_stdout() && is_terminal(STDOUT_FILENO))};
     int frames_ = 0;  // 0: until somebody ends it
     bool has_quit_ = false;
 };

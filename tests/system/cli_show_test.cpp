@@ -160,6 +160,17 @@ TEST(CliShow, a_terminal_is_a_screen) {
     EXPECT_EQ(show("--board terminal --quiet " + teapot()).out, shade16_program("preview " + teapot()).out) << "one frame where there is no terminal";
 }
 
+TEST(CliShow, figures_of_the_last_second_are_told_on_a_terminal) {
+    if (!has_program("script")) GTEST_SKIP() << "script is not installed.";
+    const std::string command = "$shade16 show --dry-run --panel st7735_80x160 --fps 50 --frames 75 " + teapot();
+    const auto in_terminal = [](const std::string& line) {
+        return run_shell("export shade16 TERM=xterm; script -qefc '" + line + " >/dev/null' /dev/null </dev/null").out;
+    };
+    EXPECT_THAT(in_terminal(command), ContainsRegex("\r\033\\[K[0-9.]+ frames a second, sending takes [0-9]+ % of the time.*\r\033\\[K"));
+    EXPECT_THAT(in_terminal(command), ContainsRegex("shown: 75 frames in "));
+    EXPECT_EQ(in_terminal(command + " --quiet"), "");
+}
+
 TEST(CliShow, a_signal_ends_it_after_a_frame_with_the_status_that_a_shell_expects) {
     for (const auto& [name, number] : {std::pair{"INT", 2}, {"TERM", 15}, {"HUP", 1}}) {
         const Ran ran = run_shell("timeout --preserve-status -k 20 -s " + std::string(name) + " 0.5 \"$shade16\" show --dry-run --panel st7735_80x160 " + teapot());
