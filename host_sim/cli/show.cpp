@@ -76,6 +76,7 @@ public:
         }
         if (Screen* const screen = screen_.screen(); screen != nullptr && o_.screen.wires.is_dark_at_end) screen->switch_off();
         screen_.close();
+        live_.clear();
         const std::string figures = figures_text(screen_.figures(), Clock::now() - begin, screen_.lost());
         if (!o_.quiet) print_beside(o_.screen.takes_stdout() ? "-" : "", figures);
         return stop_.asked();
@@ -89,10 +90,11 @@ private:
     void show(const Image& frame) {
         const bool was_away = screen_.screen() == nullptr;
         if (screen_.show(frame)) {
-            live_.tell(screen_.figures());
             if (was_away && !o_.quiet) print_beside("-", "the device is back\n");
+            live_.tell(screen_.figures());
             return;
         }
+        live_.clear();
         if (!was_away) print_warnings({screen_.reason()});
         wait_until(Clock::now() + patience);
     }

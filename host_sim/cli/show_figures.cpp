@@ -30,8 +30,9 @@ std::string figures_text(const ScreenFigures& sum, Clock::duration time, std::si
 
 LiveFigures::LiveFigures(bool is_wanted) : is_shown_(is_wanted && is_terminal(STDERR_FILENO)) {}
 
-LiveFigures::~LiveFigures() {
+void LiveFigures::clear() {
     if (is_written_) say("\r\033[K");
+    is_written_ = false;
 }
 
 void LiveFigures::tell(const ScreenFigures& sum) {

@@ -15,11 +15,13 @@ std::string figures_text(const ScreenFigures& sum, std::chrono::steady_clock::du
 class LiveFigures {
 public:
     explicit LiveFigures(bool is_wanted);
-    ~LiveFigures();
+    ~LiveFigures() { clear(); }
     LiveFigures(const LiveFigures&) = delete;
     LiveFigures& operator=(const LiveFigures&) = delete;
 
     void tell(const ScreenFigures& sum);
+    /// Before anything else is written.
+    void clear();
 
 private:
     bool is_shown_, is_written_ = false;
