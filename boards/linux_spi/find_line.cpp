@@ -135,11 +135,12 @@ std::optional<Place> chip_and_offset(const std::string& wanted, const std::strin
 std::vector<std::string> chips_of(const std::string& devices) {
     const std::string beginning = "gpiochip";
     std::vector<std::pair<unsigned, std::string>> chips;
-    std::error_code ignored;
-    for (const auto& entry : std::filesystem::directory_iterator(devices, ignored)) {
-        const std::string name = entry.path().filename().string();
-        if (!name.starts_with(beginning) || entry.is_symlink()) continue;  // a Pi 5 has gpiochip4 also as gpiochip0
-        if (const auto number = number_of(name.substr(beginning.size()))) chips.emplace_back(*number, entry.path().string());
+    std::error_code error;
+    for (std::filesystem::directory_iterator entry(devices, error), end; !error && entry != end; entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        std::error_code ignored;
+        if (!name.starts_with(beginning) || entry->is_symlink(ignored)) continue;  // a Pi 5 has gpiochip4 also as gpiochip0
+        if (const auto number = number_of(name.substr(beginning.size()))) chips.emplace_back(*number, entry->path().string());
     }
     std::sort(chips.begin(), chips.end());
     std::vector<std::string> paths;

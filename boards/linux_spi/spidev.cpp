@@ -26,19 +26,26 @@ std::size_t buffer_bytes(SystemCalls& system) {
     return bytes < least_message_bytes ? usual_buffer_bytes : bytes;
 }
 
-/// The line of a Raspberry Pi's configuration that brings a device: /dev/spidev<bus>.<select>.
+/// The line of a Raspberry Pi's configuration that brings a device, /dev/spidev<bus>.<select>; empty where none is known.
 /// Source: Raspberry Pi's boot/overlays/README, spi<bus>-<number of selects>cs.
 std::string overlay_of(const std::string& device) {
     unsigned bus = 0, select = 0;
     char rest = 0;
-    if (std::sscanf(device.c_str(), "/dev/spidev%u.%u%c", &bus, &select, &rest) != 2 || bus == 0) return "dtparam=spi=on";
-    return fmt::format("dtoverlay=spi{}-{}cs", bus, select + 1);
+    if (std::sscanf(device.c_str(), "/dev/spidev%u.%u%c", &bus, &select, &rest) != 2) return "";
+    if (bus == 0) return select < 2 ? "dtparam=spi=on" : "";
+    const unsigned selects = bus == 1 ? 3 : bus <= 6 ? 2 : 0;
+    return select < selects ? fmt::format("dtoverlay=spi{}-{}cs", bus, select + 1) : "";
+}
+
+host::Error no_such_device(const std::string& device) {
+    const std::string overlay = overlay_of(device);
+    if (overlay.empty()) return host::io_error("{}: there is no such device; expected one of /dev/spidev*.", device);
+    return host::io_error("{}: there is no such device; on a Raspberry Pi, 'echo {} | sudo tee -a /boot/firmware/config.txt' and a restart bring it.", device,
+                          overlay);
 }
 
 host::Error cannot_open(const std::string& device, int error) {
-    if (error == ENOENT || error == ENXIO)
-        return host::io_error("{}: there is no such device; on a Raspberry Pi, 'echo {} | sudo tee -a /boot/firmware/config.txt' and a restart bring it.", device,
-                              overlay_of(device));
+    if (error == ENOENT || error == ENXIO) return no_such_device(device);
     if (error == EACCES || error == EPERM) return permission_denied("SPI", device, "spi");
     return host::io_error("{}: cannot be opened: {}.", device, std::strerror(error));
 }
@@ -64,6 +71,7 @@ Spidev::~Spidev() { system_.close(file_); }
 
 void Spidev::set(unsigned long request, void* value, const char* what) {
     const int result = system_.ioctl(file_, request, value);
+    if (result == -ENOTTY) throw host::io_error("{}: is no spidev device; expected one of /dev/spidev*.", settings_.device);
     if (result < 0) throw host::io_error("{}: does not take {}: {}.", settings_.device, what, std::strerror(-result));
 }
 

@@ -1,7 +1,6 @@
 // Ctrl-C and its kin for a loop of frames: the signal is only noted, so that destructors release every line.
 #pragma once
 
-#include <array>
 #include <csignal>
 
 namespace shade16::linux_spi {
@@ -26,10 +25,6 @@ public:
     void throw_if_asked() const {
         if (const int signal = asked(); signal != 0) throw Stopped{signal};
     }
-
-private:
-    static constexpr std::array numbers{SIGINT, SIGTERM, SIGHUP};
-    std::array<struct sigaction, numbers.size()> before_{};
 };
 
 /// Ends the program as the signal would have: a shell sees 128 and its number. For main, once all is cleaned up.

@@ -105,6 +105,16 @@ private:
         return o;
     }
 
+    static void expect_different(const Wires& w) {
+        const std::pair<const char*, const std::string&> lines[] = {{"--dc", w.command}, {"--reset", w.reset}, {"--backlight", w.backlight},
+                                                                    {"--clock", w.clock}, {"--data", w.data},   {"--select", w.select}};
+        for (const auto& [option, line] : lines)
+            for (const auto& [other, others] : lines) {
+                if (&line == &others) break;
+                if (!line.empty() && line == others) throw input_error("{}: is the line of {}; expected another one.", option, other);
+            }
+    }
+
     static const ShowOptions& checked(const ShowOptions& o) {
         if (o.scene.model.empty() && !o.lists_panels && !o.probes)
             throw input_error("the scene is missing: expected a scene file or a model; see 'shade16 show --help'.");
@@ -118,6 +128,7 @@ private:
         belong({"--framebuffer"}, o.screen.kind == ScreenKind::fbdev, "--board fbdev");
         belong({"--data", "--select"}, o.given.contains("--clock"), "--clock");
         belong({"--clock"}, o.given.contains("--data"), "--data");
+        expect_different(o.screen.wires);
         for (const char* option : {"--spi", "--spi-hz", "--spi-mode"})
             if (o.given.contains("--clock") && o.given.contains(option))
                 throw input_error("{}: --clock and --data take the place of SPI; expected the one or the other.", option);

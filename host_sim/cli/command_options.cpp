@@ -165,14 +165,14 @@ void add_show(CLI::App& app, ShowOptions& o) {
     add(app, "--rotate", "DEGREES", "0, 90, 180 or 270, clockwise [0]",
         [&](const std::string& word) { s.quarter_turns = quarter_turns_of(word); });
     add_flag(app, "--mirror", s.mirrored, "left and right exchanged");
-    add_word(app, "--dc", "LINE", s.wires.command, "the data/command line: GPIO25, 25, or gpiochip0:25");
+    add_word(app, "--dc", "LINE", s.wires.command, "the data/command line: GPIO25, 25 (no pin of the header), or gpiochip0:25");
     add_word(app, "--reset", "LINE", s.wires.reset, "the reset line, where the panel has one");
     add_word(app, "--backlight", "LINE", s.wires.backlight, "the backlight's line, where there is one");
     add_word(app, "--spi", "DEVICE", s.wires.spi.device, "spidev's [/dev/spidev0.0]");
     add(app, "--spi-hz", "N", "its clock, such as 32M [32M]; lower it where pictures break up",
         [&](const std::string& word) { s.wires.spi.hz = hz_of(word); });
     add(app, "--spi-mode", "N", "0, or 3 for some panels without a select line [0]",
-        [&](const std::string& word) { s.wires.spi.mode = static_cast<uint8_t>(whole_number("--spi-mode", word, 0, 3)); });
+        [&](const std::string& word) { s.wires.spi.mode = spi_mode_of(word); });
     add_word(app, "--clock", "LINE", s.wires.clock, "with --data: bits line by line, where there is no SPI");
     add_word(app, "--data", "LINE", s.wires.data, "see --clock");
     add_word(app, "--select", "LINE", s.wires.select, "with --clock: the panel's select line, where it has one");
@@ -181,9 +181,9 @@ void add_show(CLI::App& app, ShowOptions& o) {
     add(app, "--frames", "N", "stop after so many, 90 a turn [until Ctrl-C]",
         [&](const std::string& word) { o.scene.frames = whole_number("--frames", word, 1, 100'000'000); });
     add_flag(app, "--off", s.wires.is_dark_at_end, "switch panel and backlight off at the end");
-    add_flag(app, "--dry-run", s.dry_run, "print what the panel would be sent");
+    add_flag(app, "--dry-run", s.dry_run, "print what the panel would be sent, for --frames or for ever");
     add_flag(app, "--list-panels", o.lists_panels, "print the panels and end");
-    add_flag(app, "--probe", o.probes, "print what is there and what is missing, with the command that brings it, and end");
+    add_flag(app, "--probe", o.probes, "print what is there and what is missing, with the command that brings it, and end; takes each line for a moment");
     add_tier(app, o.scene.tier, "lowp, mediump or highp [mediump]");
     add_dither(app, o.scene.dither, "none, 4x4 or 8x8 [none]");
     add_material_look(app, o.scene.look);

@@ -78,7 +78,7 @@ inline constexpr const char* show_help =
     R"(Examples:
   shade16 show teapot.obj --panel ili9341 --dc GPIO25 --reset GPIO27 --backlight GPIO18 --rotate 90
   shade16 show teapot.obj --panel st7789_240x240 --dc GPIO25 --spi /dev/spidev0.1 --spi-hz 40M
-  shade16 show teapot.obj --panel mine.txt --dc GPIO25 --clock GPIO11 --data GPIO10     without SPI, slowly
+  shade16 show teapot.obj --panel mine.txt --dc GPIO25 --clock 11 --data 10     without SPI, slowly
   shade16 show teapot.obj --board fbdev                 the kernel's framebuffer
   shade16 show teapot.obj --board terminal              a look at it over ssh
   shade16 show --probe --dc GPIO25                      what is there, and what brings the rest

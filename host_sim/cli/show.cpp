@@ -40,7 +40,7 @@ public:
           turntable_(fixed_turntable(*open_.scene, size, o.tier, target_of(o, format), 0, o.component)) {}
 
     bool fits(Viewport size) const { return size.width == size_.width && size.height == size_.height; }
-    Image frame(int number) { return turntable_->draw(turn_of(number % frames_a_turn, frames_a_turn)); }
+    Image frame(int number) { return turntable_->draw(turn_of(number, frames_a_turn)); }
     const std::vector<std::string>& warnings() const { return open_.scene->warnings(); }
 
 private:
@@ -67,16 +67,16 @@ public:
     int run() {
         const auto begin = Clock::now();
         auto due = begin;
-        for (int number = 0; !is_ended(); ++number) {
+        for (int64_t number = 0; !is_ended(); ++number) {
             refit();
-            show(film_->frame(number));
+            show(film_->frame(static_cast<int>(number % frames_a_turn)));
             if (number + 1 == frames_) break;
             due = std::max(due + std::chrono::microseconds(1'000'000 / o_.fps), Clock::now());
             wait_until(due);
         }
-        if (Screen* const screen = screen_.screen(); screen != nullptr && o_.screen.wires.is_dark_at_end) screen->switch_off();
-        screen_.close();
         live_.clear();
+        if (o_.screen.wires.is_dark_at_end) switch_off();
+        screen_.close();
         const std::string figures = figures_text(screen_.figures(), Clock::now() - begin, screen_.lost());
         if (!o_.quiet) print_beside(o_.screen.takes_stdout() ? "-" : "", figures);
         return stop_.asked();
@@ -95,15 +95,25 @@ private:
             return;
         }
         live_.clear();
-        if (!was_away) print_warnings({screen_.reason()});
+        if (!was_away || screen_.reason() != reason_) print_warnings({screen_.reason()});
+        reason_ = screen_.reason();
         wait_until(Clock::now() + patience);
+    }
+    void switch_off() {
+        try {
+            if (Screen* const screen = screen_.screen()) screen->switch_off();
+        } catch (const Error& error) {  // it has gone by itself
+            print_warnings({error.what()});
+        }
     }
     bool is_ended() const { return has_quit_ || stop_.asked() != 0; }
     void wait_until(Clock::time_point time) {
         constexpr std::chrono::milliseconds glance{10};  // a signal that comes between a look and a sleep waits no longer than this
+        const bool has_keys = o_.screen.kind == ScreenKind::terminal && is_terminal(STDOUT_FILENO);
+        if (has_keys) has_quit_ = is_quit_typed(0);  // also where drawing leaves no time
         for (auto now = Clock::now(); !is_ended() && now < time; now = Clock::now()) {
             const auto pause = std::min<Clock::duration>(glance, time - now);
-            if (o_.screen.kind == ScreenKind::terminal && is_terminal(STDOUT_FILENO))
+            if (has_keys)
                 has_quit_ = is_quit_typed(static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(pause).count()));
             else
                 std::this_thread::sleep_for(pause);
@@ -114,7 +124,8 @@ private:
     linux_spi::StopOnSignal stop_{};
     LastingScreen screen_;
     std::optional<Film> film_{};
-    LiveFigures live_{!o_.quiet && !(o_.screen.takes_stdout() && is_terminal(STDOUT_FILENO))};
+    LiveFigures live_{!o_.quiet && o_.screen.kind == ScreenKind::linux_spi && !(o_.screen.dry_run && is_terminal(STDOUT_FILENO))};  // not in a picture
+    std::string reason_{};  // the last that was told
     int frames_ = 0;  // 0: until somebody ends it
     bool has_quit_ = false;
 };
@@ -131,6 +142,7 @@ ExitCode show(const ShowOptions& o) {
         print(found.text);
         return found.is_ready ? ExitCode::ok : ExitCode::check;
     }
+    if (o.screen.kind == ScreenKind::linux_spi) open_scene(o.scene, {64, 64});  // a mistake in it switches no panel on
     // By now lines are released and the terminal is as it was; a shell sees what ended it.
     if (const int signal = Show(o).run(); signal != 0) linux_spi::end_by({signal});
     return ExitCode::ok;

@@ -22,7 +22,7 @@ void say(const std::string& text) { print_beside("-", text); }  // on standard e
 std::string figures_text(const ScreenFigures& sum, Clock::duration time, std::size_t lost) {
     const double frames = static_cast<double>(sum.frames);
     std::string text = fmt::format("shown: {} in {:.1f} s, {:.1f} a second; {:.0f} bytes a frame; sending took {:.0f} % of the time\n",
-                                   counted(sum.frames, "frame", "frames"), seconds(time), frames / seconds(time),
+                                   counted(static_cast<std::size_t>(sum.frames), "frame", "frames"), seconds(time), frames / seconds(time),
                                    static_cast<double>(sum.bytes) / std::max(frames, 1.0), 100 * seconds(sum.sending) / seconds(time));
     if (lost != 0) text += fmt::format("lost: {}, while the device was away\n", counted(lost, "frame", "frames"));
     return text;

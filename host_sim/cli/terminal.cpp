@@ -10,6 +10,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include "host_sim/cli/ink.hpp"
 #include "shade16/target/band.hpp"
 
 namespace shade16::host {
@@ -38,10 +39,11 @@ Viewport pixels_of_terminal() {
 }
 
 TerminalHeld::TerminalHeld() {
-    if (!isatty(STDOUT_FILENO)) return;
+    if (!is_terminal(STDOUT_FILENO)) return;
     if (is_keyboard_ours() && tcgetattr(STDIN_FILENO, &keys_before) == 0) {
         termios raw = keys_before;
         raw.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
+        raw.c_cc[VQUIT] = _POSIX_VDISABLE;  // it would leave all as it is
         raw.c_cc[VSUSP] = _POSIX_VDISABLE;  // a stopped program would leave the shell without echo
         are_keys_raw = true;
         tcsetattr(STDIN_FILENO, TCSANOW, &raw);

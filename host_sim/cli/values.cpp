@@ -126,11 +126,20 @@ int quarter_turns_of(const std::string& word) {
     return *number(word) / 90;
 }
 
+uint8_t spi_mode_of(const std::string& word) {
+    if (word != "0" && word != "3") throw input_error("--spi-mode {}: expected 0 or 3.", word);
+    return word == "3" ? 3 : 0;
+}
+
 uint32_t hz_of(const std::string& word) {
-    const bool is_mega = word.ends_with('M'), is_kilo = word.ends_with('k');
-    const std::optional<int> value = number(std::string_view(word).substr(0, word.size() - (is_mega || is_kilo)));
-    const int64_t hz = value.value_or(0) * int64_t{is_mega ? 1'000'000 : is_kilo ? 1000 : 1};
-    if (hz < 1000 || hz > 500'000'000) throw input_error("--spi-hz {}: expected a clock from 1k to 500M, such as 32M.", word);
+    double value = 0;
+    const char* const end = word.data() + word.size();
+    const auto [after, error] = std::from_chars(word.data(), end, value);
+    std::string unit(after, end);
+    if (unit.ends_with("Hz")) unit.resize(unit.size() - 2);
+    const double factor = unit.empty() ? 1 : unit == "k" ? 1e3 : unit == "M" ? 1e6 : 0;
+    const double hz = error == std::errc{} ? value * factor : 0;
+    if (!(hz >= 1000 && hz <= 500e6)) throw input_error("--spi-hz {}: expected a clock from 1k to 500M, such as 32M.", word);
     return static_cast<uint32_t>(hz);
 }
 

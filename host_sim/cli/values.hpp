@@ -25,7 +25,8 @@ double crease_of(const std::string& word);  // degrees
 Engine engine_of(const std::string& word);
 ScreenKind screen_kind_of(const std::string& word);
 int quarter_turns_of(const std::string& word);
-uint32_t hz_of(const std::string& word);  // "32M", "500k" or a number
+uint8_t spi_mode_of(const std::string& word);
+uint32_t hz_of(const std::string& word);  // "32M", "31.25MHz", "500k" or a number
 std::string tier_of(const std::string& word);
 std::string format_of(const std::string& word);
 std::string dither_of(const std::string& word);

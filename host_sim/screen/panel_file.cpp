@@ -47,11 +47,18 @@ private:
     std::string beside(const std::string& name) const { return (std::filesystem::path(path_).parent_path() / (name + ".txt")).string(); }
     void take_other(const PanelLine& line) {
         const std::string other = beside(line.name);
-        for (const PanelLine& others : panel_lines(read_(other), other)) {
+        for (const PanelLine& others : panel_lines(text_beside(other, line), other)) {
             if (others.word == "as")
                 throw input_error("{}: stands on another panel, and {} stands on this one; expected '#: as {}' there.", others.where,
                                   line.where, others.name);
             take(others);
+        }
+    }
+    std::string text_beside(const std::string& path, const PanelLine& line) const {
+        try {
+            return read_(path);
+        } catch (const Error& error) {
+            throw input_error("{}: stands on '{}', which is looked for in the same folder: {}", line.where, line.name, error.what());
         }
     }
     void take(const PanelLine& line);

@@ -10,7 +10,7 @@ namespace shade16::host {
 
 /// What became of the frames so far.
 struct ScreenFigures {
-    std::size_t frames = 0, bytes = 0;  // of pixels, or of text, that were sent
+    uint64_t frames = 0, bytes = 0;  // of pixels, or of text, that were sent
     std::chrono::steady_clock::duration sending{};
 
     friend ScreenFigures operator+(const ScreenFigures& a, const ScreenFigures& b) {

@@ -139,7 +139,7 @@ TEST(PanelFile, EveryMistakeHasItsSentence) {
         {"command 0x36 0xA0\n", "command 0x36 0xA0 turns the picture; expected what an upright one takes, 0xC0 or 0x00."},
         {"command 0x36 0x54\n", "command 0x36 0x54 sets the bits 0x14, which no driver here does; expected 0x80, 0x40 and 0x08 at most."},
         {"#: glass 240\n", "'glass' has 1 numbers; expected 2, as in '#: glass 240 320'."},
-        {"#: glass 65536 1\n", "'65536' of 'glass' is out of range; expected 0 to 65535."},
+        {"#: glass 2049 1\n", "'2049' of 'glass' is out of range; expected 0 to 2048."},
         {"#: as ../secrets\n", "'as' takes the name of a panel in the same folder; expected one such as '#: as st7789'."},
         {rest + "#: as base\n", "line 5: 'as' comes after other lines; expected it before them, once."},
         {"", "2: glass/mine.txt: does not say how large the glass is; expected a line such as '#: glass 240 320'."},

@@ -117,11 +117,10 @@ TEST(CliShow, lists_panels) {
 }
 
 TEST(CliShow, says_what_is_missing) {
-    const std::string no_spi = "/dev/spidev77.1: there is no such device; on a Raspberry Pi, 'echo dtoverlay=spi77-2cs | sudo tee -a /boot/firmware/config.txt' "
-                               "and a restart bring it.";
+    const std::string no_spi = "/dev/spidev77.1: there is no such device; expected one of /dev/spidev*.";
     const Ran probe = show("--probe --spi /dev/spidev77.1");
     EXPECT_EQ(probe.exit_code, 1);
-    EXPECT_EQ(probe.out, "ok       --panel ili9341\n"
+    EXPECT_EQ(probe.out, "known    --panel ili9341\n"
                          "missing  --spi: " + no_spi + "\n"
                          "missing  --dc: the data/command line is not said; expected a line such as --dc GPIO25.\n");
     EXPECT_EQ(show("--probe --board fbdev --framebuffer /dev/fb77").out,
@@ -142,13 +141,16 @@ TEST(CliShow, refuses_what_does_not_fit_together) {
     expect_refusal(teapot() + " --data GPIO10", 2, "--data: belongs to --clock" + both);
     expect_refusal(teapot() + " --clock GPIO10", 2, "--clock: belongs to --data" + both);
     expect_refusal(teapot() + " --clock GPIO10 --data GPIO9 --spi-hz 1M", 2, "--spi-hz: --clock and --data take the place of SPI; expected the one or the other.");
-    expect_refusal(teapot() + " --spi-hz 32MHz", 2, "--spi-hz 32MHz: expected a clock from 1k to 500M, such as 32M.");
+    expect_refusal(teapot() + " --spi-hz 32mHz", 2, "--spi-hz 32mHz: expected a clock from 1k to 500M, such as 32M.");
+    EXPECT_EQ(show("--list-panels --spi-hz 31.25MHz").exit_code, 0);
+    expect_refusal(teapot() + " --spi-mode 1", 2, "--spi-mode 1: expected 0 or 3.");
+    expect_refusal(teapot() + " --dc 25 --reset 25", 2, "--reset: is the line of --dc; expected another one.");
     expect_refusal(teapot() + " --rotate 45", 2, "--rotate 45: expected 0, 90, 180 or 270.");
     expect_refusal(teapot() + " --board spi", 2, "--board spi: expected linux_spi, fbdev or terminal.");
-    expect_refusal(teapot() + " --panel st7788 --dry-run", 2, "--panel st7788: no panel has this name; expected 'st7789', or another one of --list-panels.");
+    expect_refusal(teapot() + " --panel st7788 --dry-run", 2, "panel 'st7788': there is none of this name; expected 'st7789', or another one of --list-panels.");
     expect_refusal(teapot() + " --panel no.txt --dry-run", 2, "no.txt: cannot be opened: No such file or directory.");
     expect_refusal("", 2, "the scene is missing: expected a scene file or a model; see 'shade16 show --help'.");
-    EXPECT_EQ(show("/no/such.obj --dry-run").exit_code, 2);
+    expect_refusal("/no/such.obj --dry-run", 2, "/no/such.obj: cannot be opened: No such file or directory.");
 }
 
 TEST(CliShow, a_terminal_is_a_screen) {
@@ -157,6 +159,9 @@ TEST(CliShow, a_terminal_is_a_screen) {
                               "' /dev/null </dev/null");
     EXPECT_THAT(ran.out, HasSubstr("\033[?25l"));
     EXPECT_THAT(ran.out, ContainsRegex("\033\\[\\?25h\r\nshown: 3 frames in [^\n]*\n$"));
+    for (const char* command : {"preview ", "show --board terminal --fps 1000 "})  // q ends it where drawing leaves no time to wait, too
+        EXPECT_EQ(run_shell("export shade16 TERM=xterm; (sleep 1; printf q) | timeout -k 1 20 script -qefc 'stty cols 300 rows 100; $shade16 " +
+                            std::string(command) + teapot() + "' /dev/null").exit_code, 0) << command;
     EXPECT_EQ(show("--board terminal --quiet " + teapot()).out, shade16_program("preview " + teapot()).out) << "one frame where there is no terminal";
 }
 

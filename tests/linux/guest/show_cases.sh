@@ -13,7 +13,7 @@ cases() {
   echo "== the third frame, of which only some rows were sent"; run $(show --frames 3 --quiet --off)
   echo "== SIGTERM"; start lit $(show --off --fps 5); kill -TERM $!; ended "$some"
   echo "== taken away and given back"
-  start lit $(show --fps 5); echo spi0.0 >$driver/unbind; wait_for gone; usleep 1500000
+  start lit $(show --fps 5); echo spi0.0 >$driver/unbind; wait_for "no such device"
   echo spi0.0 >$driver/bind; wait_for back; kill -TERM $!; ended "$some"
   echo "== --probe"; run become shade16 show --probe $wires
   chmod 600 /dev/gpiochip*; chgrp 996 /dev/spidev0.0; chmod 660 /dev/spidev0.0
