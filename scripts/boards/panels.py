@@ -15,6 +15,7 @@ HEADERS = ROOT / "firmware" / "display"
 NO_OPERATION, NORMAL_MODE, NOT_INVERTED, INVERTED, DISPLAY_ON, ACCESS, PIXEL_FORMAT = 0x00, 0x13, 0x20, 0x21, 0x29, 0x36, 0x3A
 STEP_MS, MOST_STEPS = 5, 255
 WIDEST = 140
+FORMS = {"command": (1, 128, 255), "delay": (1, 1, 255), "glass": (2, 2, 2048), "memory": (2, 2, 65535), "offset": (2, 2, 65535)}
 
 
 @dataclass
@@ -55,22 +56,43 @@ def take_command(panel: Panel, numbers: list[int]) -> None:
         panel.add(numbers)
 
 
-def take(panel: Panel, text: str) -> None:
-    """What comes later holds. Mistakes get their sentences from the tests, which read every text with panel_file.cpp."""
-    for line in text.splitlines():
+class Mistake(Exception):
+    """A sentence about a text."""
+
+
+def numbers_of(words: list[str]) -> list[int]:
+    if words[0] not in FORMS:
+        raise Mistake(f"unknown word '{words[0]}'; expected one of {', '.join(FORMS)}, or 'as' before all others.")
+    least, most, largest = FORMS[words[0]]
+    try:
+        numbers = [int(number, 0) for number in words[1:]]
+    except ValueError as error:
+        raise Mistake(f"'{' '.join(words)}' has what is no number; expected some such as 120 or 0x78.") from error
+    if not least <= len(numbers) <= most or any(not 0 <= number <= largest for number in numbers):
+        raise Mistake(f"'{' '.join(words)}' does not fit; expected {least if least == most else f'{least} to {most}'} numbers of 0 to {largest}.")
+    return numbers
+
+
+def take_words(panel: Panel, words: list[str]) -> None:
+    numbers = numbers_of(words)
+    if words[0] == "command":
+        take_command(panel, numbers)
+    elif words[0] == "delay":
+        panel.wait(numbers[0])
+    else:
+        panel.pairs[words[0]] = numbers
+
+
+def take(panel: Panel, file: Path) -> None:
+    """What comes later holds. The tests read every text with panel_file.cpp, too, which minds more."""
+    for number, line in enumerate(file.read_text().splitlines(), 1):
         said, _, comment = line.partition("#")
         for words in said.split(), comment[1:].split() if comment.startswith(":") else []:
-            if not words or words[0] == "as":
-                continue
-            numbers = [int(number, 0) for number in words[1:]]
-            if words[0] == "command":
-                take_command(panel, numbers)
-            elif words[0] == "delay":
-                panel.wait(numbers[0])
-            elif words[0] in ("glass", "memory", "offset"):
-                panel.pairs[words[0]] = numbers
-            else:
-                raise ValueError(f"{panel.name}.txt: unknown word '{words[0]}'")
+            if words and words[0] != "as":
+                try:
+                    take_words(panel, words)
+                except Mistake as mistake:
+                    raise Mistake(f"{file}, line {number}: {mistake}") from mistake
 
 
 def read_panel(file: Path) -> Panel:
@@ -81,9 +103,14 @@ def read_panel(file: Path) -> Panel:
         panel.intro.append(line[2:])
     bases = [line.split()[2] for line in text.splitlines() if line.startswith("#: as ")]
     if bases:
-        panel.base, = bases
-        take(panel, (file.parent / f"{panel.base}.txt").read_text())
-    take(panel, text)
+        panel.base = bases[0]
+        base = file.parent / f"{panel.base}.txt"
+        if not base.exists():
+            raise Mistake(f"{file}: stands on '{panel.base}'; expected {base} to be there.")
+        take(panel, base)
+    take(panel, file)
+    if "glass" not in panel.pairs:
+        raise Mistake(f"{file}: does not say how large the glass is; expected a line such as '#: glass 240 320'.")
     return panel
 
 
@@ -127,7 +154,9 @@ def members(panel: Panel, array: str) -> list[str]:
 
 def header(panels: list[Panel]) -> str:
     """A controller's: its own panel first, then those that stand on it. A list that several have stands there once."""
-    first = next(panel for panel in panels if not panel.base)
+    first = next((panel for panel in panels if not panel.base), None)
+    if first is None:
+        raise Mistake(f"{PANELS}/{panels[0].name}.txt: there is no panel of a {panels[0].controller} with a list of its own; expected one without '#: as'.")
     texts = f"{first.controller}*.txt" if len(panels) > 1 else f"{first.name}.txt"
     out = [f"// {line}" for line in first.intro]
     out += [f"// Made by scripts/boards.sh of boards/panels/{texts}, which says what the commands do.", "#pragma once", "",
@@ -166,4 +195,7 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    try:
+        sys.exit(main())
+    except Mistake as mistake:
+        sys.exit(str(mistake))

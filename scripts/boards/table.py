@@ -19,6 +19,8 @@ def cmake_value(text: str, name: str) -> str:
 
 def number(header: Path, name: str) -> int:
     """A constant of struct Board, of the header that it inherits from, or of its chip."""
+    if not header.exists():
+        raise ValueError(f"There is no {header}; docs/boards.md, step 1, has one to copy.")
     text = header.read_text()
     chip = re.search(rf"\b{name} = (\w+)::{name};", text)
     if chip:
@@ -30,7 +32,7 @@ def number(header: Path, name: str) -> int:
         return first - sum(rest)
     base = re.search(r"struct Board : (\w+)", text)
     if not base:
-        raise ValueError(f"{header} has no {name}")
+        raise ValueError(f"{header} says no {name} in decimal numbers; expected one such as 128 * 1024.")
     return number(ROOT / "boards" / f"{base.group(1).lower()}.hpp", name)
 
 
@@ -43,6 +45,8 @@ def tested(cmake: str) -> str:
     if not emulator:
         return "built"
     what = "frames" if "BOARD_TOO_SMALL_FOR_IDENTITY" in cmake else "frames and hashes"
+    if emulator[0] != "${PICO_EMULATOR}" and "-M" not in emulator:
+        raise ValueError(f"BOARD_EMULATOR '{' '.join(emulator)}' names no machine; expected -M and its name.")
     where = "rp2040js" if emulator[0] == "${PICO_EMULATOR}" else f"{emulator[0]} (`-M {emulator[emulator.index('-M') + 1]}`)"
     if "BOARD_EMULATED_CONSOLE" in cmake:
         return f"{what} in {where}, every pixel of strict models of the chip and the panel"
@@ -67,4 +71,7 @@ def rows() -> list[str]:
 
 
 if __name__ == "__main__":
-    sys.exit(keep_table("boards", rows()))
+    try:
+        sys.exit(keep_table("boards", rows()))
+    except ValueError as error:
+        sys.exit(str(error))

@@ -2,10 +2,7 @@
 // A word an event: w<ms> time that passed, r0 and r1 the reset line, c<hex> a command, d<hex> a byte of data.
 #include <cstdio>
 #include <cstdlib>
-#include <display/gc9a01.hpp>
-#include <display/ili9341.hpp>
-#include <display/st7735.hpp>
-#include <display/st7789.hpp>
+#include <display/all_panels.hpp>
 #include <fstream>
 #include <string>
 
@@ -14,9 +11,6 @@
 
 namespace shade16::displays {
 namespace {
-
-constexpr const DcsPanel* panels[] = {&ili9341,          &st7789,         &st7789_240x240,  &st7789_135x240,         &st7735_black_tab,
-                                      &st7735_green_tab, &st7735_128x128, &st7735_80x160, &st7735_80x160_plug_in, &gc9a01};
 
 int fail(const std::string& sentence) {
     std::fprintf(stderr, "%s.\n", sentence.c_str());
@@ -42,11 +36,11 @@ bool write(const std::string& path, const Seen& seen) {
 }
 
 int decode(const std::string& name, int turns, const std::string& log, const std::string& picture) {
-    for (const DcsPanel* const panel : panels) {
-        if (panel->name != name) continue;
+    for (const DcsPanel& panel : all_panels) {
+        if (panel.name != name) continue;
         std::ifstream file(log);
         if (!file) return fail(log + " cannot be read");
-        DcsModel model(*panel);
+        DcsModel model(panel);
         for (std::string event; file >> event;) take(model, event);
         model.end();
         if (!model.complaint().empty()) return fail(model.complaint());

@@ -181,6 +181,14 @@ TEST(PanelFile, ThePagesExamplesAreRead) {
     EXPECT_EQ(narrow.beginning, std::vector(st7789.beginning, st7789.beginning + st7789.beginning_bytes));
 }
 
+TEST(PanelFile, APanelThatItStandsOnIsLookedForBesideIt) {
+    const host::ScratchDirectory scratch;
+    const std::string mine = scratch.write("mine.txt", "# mine\n#: as st7789\n#: glass 1 1\n");
+    EXPECT_EQ(host::complaint([&] { host::read_panel_file(mine); }),
+              "2: " + mine + ", line 2: stands on 'st7789', which is looked for in the same folder: " + scratch.path("st7789.txt") +
+                  ": cannot be opened: No such file or directory.");
+}
+
 TEST(PanelFile, AFileThatIsMissingIsNamed) {
     const host::ScratchDirectory scratch;
     EXPECT_THAT(host::complaint([&] { host::read_panel_file(scratch.path("none.txt")); }), HasSubstr("none.txt: cannot be opened"));

@@ -24,7 +24,7 @@ foreach(row IN LISTS drawn)
     if(expected)
       message(FATAL_ERROR "A frame has changed:\n  drawn  ${row}\n  golden ${expected}")
     endif()
-    message(FATAL_ERROR "'${row}' is not in tests/golden/frames.txt. If it looks right, run 'cmake --build --preset host --target bless_frames'.")
+    message(FATAL_ERROR "'${row}' is not in tests/golden/frames.txt. Run 'cmake --preset host && cmake --build --preset host --target bless_frames', and look at tests/golden/frames.")
   endif()
 endforeach()
 

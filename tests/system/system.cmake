@@ -1,5 +1,7 @@
 # Tests of the whole: the build itself, and the rules that the core promises to keep.
 list(JOIN SHADE16_BOARDS " " boards)
+shade16_add_script_test(board_mistakes_are_named LABEL system SCRIPT system/board_mistakes.cmake
+  SOURCE=${PROJECT_SOURCE_DIR} WORK=${CMAKE_CURRENT_BINARY_DIR}/board_mistakes)
 shade16_add_script_test(wrong_board_is_refused LABEL system SCRIPT system/wrong_board.cmake
   SOURCE=${PROJECT_SOURCE_DIR} BUILD=${CMAKE_CURRENT_BINARY_DIR}/wrong_board "BOARDS=${boards}")
 

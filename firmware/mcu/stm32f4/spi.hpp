@@ -20,6 +20,7 @@ template <Pin clock, Pin data, uint32_t Hz, class Port = Registers>
 class Spi1 {
     static_assert(clock == Pin{'A', 5} || clock == Pin{'B', 3}, "this line cannot be the clock of SPI 1 (STM32F405 datasheet, table 9: A5 or B3)");
     static_assert(data == Pin{'A', 7} || data == Pin{'B', 5}, "this line cannot be the data of SPI 1 (STM32F405 datasheet, table 9: A7 or B5)");
+    static_assert(Hz <= fast_bus_hz / 2, "SPI runs at half its clock of 84 MHz at most (RM0090, 28.5.1)");
     static_assert(Hz >= fast_bus_hz / 256, "SPI divides its clock of 84 MHz by 256 at most (RM0090, 28.5.1)");
 
 public:
