@@ -2,6 +2,7 @@
 #include "boards/linux_spi/stop_on_signal.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace shade16::linux_spi {
 namespace {
@@ -36,6 +37,15 @@ TEST_P(Signals, EndTheProgramTheThirdTime) {
     };
     EXPECT_EXIT(thrice(), testing::KilledBySignal(GetParam()), "");
     EXPECT_EXIT(end_by(Stopped{GetParam()}), testing::KilledBySignal(GetParam()), "");
+}
+
+TEST_P(Signals, LeaveTheThirdToWhoeverHandledThemBefore) {
+    const auto thrice = [] {
+        std::signal(GetParam(), [](int) { _exit(42); });  // as one that cleans a terminal up
+        const StopOnSignal stop;
+        for (int i = 0; i < 3; ++i) std::raise(GetParam());
+    };
+    EXPECT_EXIT(thrice(), testing::ExitedWithCode(42), "");
 }
 
 TEST_P(Signals, AreIgnoredWhereTheyWereIgnored) {
