@@ -109,6 +109,7 @@ void Spidev::send(const uint8_t* bytes, std::size_t count) {
             most_bytes_ /= 2;  // the kernel's buffer is smaller than it says
         } else if ((result == 0 || result == -EINTR || result == -EAGAIN) && tries < most_tries) {
             ++tries;
+            if (result != -EINTR) system_.sleep_ms(1);  // it is busy: a second in all
         } else if (result == -ENODEV || result == -ESHUTDOWN || result == -ENXIO) {
             throw DeviceGone(host::io_error("{}: the device has gone; expected it to stay while frames are sent.", settings_.device));
         } else {

@@ -22,11 +22,16 @@ std::unique_ptr<Screen> wired_screen(const Wires&, const Panel&, Orientation) {
 std::unique_ptr<Screen> panel_screen(const ScreenOptions& o) {
     const Panel panel = panel_by_name(o.panel);
     const Orientation orientation{o.quarter_turns, o.mirrored};
-    if (!o.dry_run) return wired_screen(o.wires, panel, orientation);
-    return std::make_unique<PanelScreen<PrintedBus>>(PrintedBus([](const std::string& text) { print(text); }), panel, orientation);
+    if (o.dry_run) return std::make_unique<PanelScreen<PrintedBus>>(PrintedBus([](const std::string& text) { print(text); }), panel, orientation);
+    expect_command_line(o.wires);
+    return wired_screen(o.wires, panel, orientation);
 }
 
 }  // namespace
+
+void expect_command_line(const Wires& wires) {
+    if (wires.command.empty()) throw input_error("the data/command line is not said; expected a line such as --dc GPIO25.");
+}
 
 std::unique_ptr<Screen> open_screen(const ScreenOptions& o) {
     switch (o.kind) {

@@ -26,6 +26,9 @@ struct ScreenOptions {
 /// Throws input_error or io_error with what is missing and what brings it.
 std::unique_ptr<Screen> open_screen(const ScreenOptions& options);
 
+/// Throws input_error if nobody said where the data/command line is.
+void expect_command_line(const Wires& wires);
+
 /// What there is of what a screen needs, and the command that brings what is missing.
 struct Probe {
     std::string text{};

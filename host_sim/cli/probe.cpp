@@ -53,7 +53,7 @@ void look_for_wires(Findings& findings, const ScreenOptions& o) {
     const Wires& w = o.wires;
     findings.look("--panel", o.panel, [&] { panel_by_name(o.panel); }, "known");  // a panel says nothing of itself
     if (w.clock.empty()) findings.look("--spi", w.spi.device, [&] { linux_spi::Spidev spi(linux_spi::system_calls(), w.spi); });
-    if (w.command.empty()) findings.look("--dc", "", [] { throw input_error("the data/command line is not said; expected a line such as --dc GPIO25."); });
+    if (w.command.empty()) findings.look("--dc", "", [&] { expect_command_line(w); });
     std::vector<std::shared_ptr<void>> taken;
     for (const auto& [option, line] : {std::pair{"--dc", w.command}, {"--reset", w.reset}, {"--backlight", w.backlight}, {"--clock", w.clock},
                                        {"--data", w.data}, {"--select", w.select}})

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "host_sim/screen/changed_rows.hpp"
-#include "host_sim/screen/console_cursor.hpp"
+#include "host_sim/screen/hidden_cursor.hpp"
 #include "host_sim/screen/screen.hpp"
 #include "boards/linux_spi/system_calls.hpp"
 

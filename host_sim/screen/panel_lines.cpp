@@ -49,7 +49,7 @@ struct Form {
 constexpr std::size_t most_parameters = 127;  // what a list of commands can count
 constexpr Form forms[] = {
     {"command", 1, 1 + most_parameters, 255, "command 0xB1 0x00 0x18"}, {"delay", 1, 1, 255, "delay 120"},
-    {"glass", 2, 2, max_target_px, "#: glass 240 320"},                         {"memory", 2, 2, 65535, "#: memory 240 320"},
+    {"glass", 2, 2, max_target_px, "#: glass 240 320"},                 {"memory", 2, 2, 65535, "#: memory 240 320"},
     {"offset", 2, 2, 65535, "#: offset 0 80"},
 };
 

@@ -53,7 +53,6 @@ private:
 }  // namespace
 
 std::unique_ptr<Screen> wired_screen(const Wires& wires, const Panel& panel, Orientation orientation, linux_spi::SystemCalls& system) {
-    if (wires.command.empty()) throw input_error("--dc: the data/command line is missing; expected a line such as GPIO25.");
     return std::make_unique<WiredScreen>(wires, panel, orientation, system);
 }
 

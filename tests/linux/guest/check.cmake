@@ -2,15 +2,8 @@
 # says, the frame's hash being that of this computer.
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/../../scripts/run.cmake)
-include(${CMAKE_CURRENT_LIST_DIR}/../../scripts/skip.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/needs.cmake)
 
-foreach(program IN ITEMS qemu-system-x86_64 busybox cpio gzip strip timeout)
-  shade16_skip_without_program(${program})
-endforeach()
-if(NOT PROGRAM)
-  shade16_skip("Either libgpiod-dev, with libgpiod.a, was not installed when this was configured, or this is a sanitizer's build.")
-endif()
-shade16_skip_without_file(${KERNEL}/version "scripts/guest.sh fetches Debian's kernel and builds its modules.")
 file(GLOB sources RELATIVE ${CMAKE_CURRENT_LIST_DIR}/kernel ${CMAKE_CURRENT_LIST_DIR}/kernel/*)
 foreach(source IN LISTS sources)
   execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${CMAKE_CURRENT_LIST_DIR}/kernel/${source} ${KERNEL}/own/${source}

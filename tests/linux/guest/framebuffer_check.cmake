@@ -1,15 +1,8 @@
 # The kernel's own vesafb, in RGB565 and in XRGB8888: what `shade16 show --board fbdev` leaves in its memory is what `shade16 render` draws here.
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/../../scripts/run.cmake)
-include(${CMAKE_CURRENT_LIST_DIR}/../../scripts/skip.cmake)
-
-foreach(program IN ITEMS qemu-system-x86_64 busybox cpio gzip strip timeout ffmpeg)
-  shade16_skip_without_program(${program})
-endforeach()
-if(NOT PROGRAM)
-  shade16_skip("Either libgpiod-dev, with libgpiod.a, was not installed when this was configured, or this is a sanitizer's build.")
-endif()
-shade16_skip_without_file(${KERNEL}/version "scripts/guest.sh fetches Debian's kernel and builds its modules.")
+include(${CMAKE_CURRENT_LIST_DIR}/needs.cmake)
+shade16_skip_without_program(ffmpeg)
 
 file(MAKE_DIRECTORY ${WORK})
 set(RUN_TIMEOUT 80)
